@@ -1,0 +1,166 @@
+// A validated case: values only, all in SI. input/ makes it from TOML, app/ builds a simulation from it.
+// Each field's meaning, unit, limits and default stand once, in the key table (input/keys_*.cpp).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scree/physics/contact/contact.h"
+
+namespace scree {
+
+using Vec3 = std::array<double, 3>;
+using Expression3 = std::array<std::string, 3>;  // formulas of x, y, z, t for the three components
+
+struct SimulationKeys {
+  std::string title;
+  double end = 0;                      // [s]
+  std::optional<double> time_step;     // [s]; empty: "auto"
+  double steps_per_contact = 25;       // of "auto"
+  std::optional<double> top_speed;     // the fastest impact that "auto" and the check count with [m/s]
+  std::string integrator = "leapfrog"; // leapfrog, explicit, implicit
+  std::uint64_t seed = 1;
+  double max_overlap = 0.2;            // of the smaller radius; beyond it the run stops
+  double skin = 0;                     // of the Verlet list [m]; 0: chosen by the program
+};
+
+struct DomainKeys {
+  Vec3 min{}, max{};
+  std::array<bool, 3> periodic{};
+};
+
+struct GravityKeys {
+  std::string type = "none";           // none, uniform, central, expression, rotating
+  Vec3 acceleration{};                 // uniform and rotating [m/s2]
+  Vec3 center{};                       // central: the attracting point; rotating: a point on the axis [m]
+  double strength = 0;                 // central: G M [m3/s2]
+  Expression3 expression;              // of x, y, z, t [m/s2]
+  Vec3 angular_velocity{};             // of the rotating frame [rad/s]
+  Vec3 angular_acceleration{};         // of the rotating frame [rad/s2]
+};
+
+struct FlowKeys {
+  std::string type = "none";           // none, still, uniform, taylor_green, shear, expression
+  std::string drag = "none";           // none, stokes, schiller_naumann
+  double density = 0;                  // [kg/m3]
+  double viscosity = 0;                // dynamic [Pa s]
+  Vec3 velocity{};                     // uniform [m/s]
+  double amplitude = 0;                // Taylor-Green A [m/s]
+  double wavenumber = 0;               // Taylor-Green a [1/m]
+  double shear_rate = 0;               // u_x = rate * (y - shear_origin) [1/s]
+  double shear_origin = 0;             // [m]
+  Expression3 expression;              // of x, y, z, t [m/s]
+};
+
+struct MaterialKeys {
+  std::string name;
+  double density = 0;                        // [kg/m3]
+  std::optional<double> young, poisson;      // Hertz, Mindlin, JKR [Pa], [-]
+  std::optional<double> stiffness;           // linear normal spring [N/m]
+  double restitution = 1;
+  double friction = 0;                       // static and sliding
+  std::optional<double> friction_sliding;    // default: as friction
+  double rolling_friction = 0, twisting_friction = 0;
+  double cohesion_stiffness = 0;             // [N/m]
+  double adhesion = 0;                       // work of adhesion against itself [J/m2]
+};
+
+/// What a pair of materials has of its own; what is empty is mixed from the two materials.
+struct PairKeys {
+  std::array<std::string, 2> materials;
+  std::optional<double> stiffness, young, restitution, friction, friction_sliding, rolling_friction, twisting_friction,
+      cohesion_stiffness, adhesion;
+};
+
+struct ContactKeys {
+  sc_laws laws{SC_NORMAL_LINEAR, SC_TANGENTIAL_HISTORY, SC_ROLLING_NONE, SC_TWISTING_NONE, SC_COHESION_NONE};
+  double tangential_stiffness_ratio = 2.0 / 7.0;  // k_t / k_n of the linear laws
+  std::optional<double> tangential_damping;       // damping ratio; default: as the normal one
+  double rolling_stiffness_ratio = 1.0;           // k_r / (k_t R^2)
+  double rolling_damping = 0.3;
+  double twisting_stiffness_ratio = 1.0;
+  double twisting_damping = 0.3;
+};
+
+/// A distribution of diameters; every one has a minimum and a maximum.
+struct SizeKeys {
+  std::string distribution = "single";  // single, classes, uniform, normal, lognormal
+  double value = 0;                     // single [m]
+  std::vector<double> diameters;        // classes [m]
+  std::vector<double> fractions;        // classes, by number; they add up to 1
+  double mean = 0, deviation = 0;       // normal, lognormal: of the diameter itself [m]
+  double min = 0, max = 0;              // uniform, normal, lognormal [m]
+};
+
+struct VelocityKeys {
+  std::string type = "given";  // given, random, fluid
+  Vec3 value{};                // given: the velocity; random: its mean [m/s]
+  double deviation = 0;        // random: standard deviation of each component [m/s]
+};
+
+struct ParticleKeys {
+  std::string name;
+  std::string material;
+  SizeKeys diameter;
+  double effect_gap = 0;               // d_e - d_b: how much the effect diameter exceeds the body diameter [m]
+  std::string motion = "free";         // free, fixed, prescribed: the last two have infinite mass
+  Expression3 motion_velocity;         // prescribed: formulas of t (and of the initial x, y, z) [m/s]
+  std::string insert = "lattice";      // lattice, random, file, positions
+  Vec3 region_min{}, region_max{};     // lattice, random [m]; default: the domain
+  std::uint64_t count = 0;             // lattice, random: how many
+  double solid_fraction = 0;           // random: instead of count
+  double spacing = 0;                  // lattice: distance of neighbours [m]; 0: fill the region evenly with `count`
+  double jitter = 0;                   // lattice: largest shift, as a fraction of the free gap
+  std::string file;                    // CSV: columns x, y, z [, vx, vy, vz, wx, wy, wz, diameter]; path made absolute
+  std::vector<Vec3> positions;         // positions: given one by one
+  VelocityKeys velocity;
+  Vec3 angular_velocity{};             // [rad/s]
+  std::uint64_t attempts = 1000;       // random: tries per particle before giving up
+};
+
+struct WallKeys {
+  std::string name;
+  std::string type;                    // plane, rectangle, box
+  std::string material;
+  Vec3 point{}, normal{};              // plane: particles are on the side that the normal points to
+  Vec3 min{}, max{};                   // rectangle (flat in one axis), box
+  std::string side = "inside";         // box: particles are inside or outside
+};
+
+struct OutputKeys {
+  double frames = 0;                   // interval [s]; 0: only first and last
+  double series = 0;                   // interval [s]; 0: 200 rows over the run
+  double checkpoints = 0;              // interval [s]; 0: only at the end
+  std::vector<std::uint64_t> tracks;   // ids of particles whose motion is written at every series row
+};
+
+struct LedgerKeys {
+  std::uint64_t every = 0;             // steps; 0: at every series row
+  double energy_tolerance = 0;         // closure error as a fraction of the turnover at which the run stops; 0: never
+};
+
+struct AnalysisKeys {
+  bool agglomerates = false;
+  double stop_agglomerated = 0;        // ends the run when this fraction of the particles is in agglomerates; 0: never
+};
+
+struct Case {
+  std::string path;                    // of the case file
+  SimulationKeys simulation;
+  DomainKeys domain;
+  GravityKeys gravity;
+  FlowKeys flow;
+  ContactKeys contact;
+  std::vector<MaterialKeys> materials;
+  std::vector<PairKeys> pairs;
+  std::vector<ParticleKeys> particles;
+  std::vector<WallKeys> walls;
+  OutputKeys output;
+  LedgerKeys ledger;
+  AnalysisKeys analysis;
+};
+
+}  // namespace scree
