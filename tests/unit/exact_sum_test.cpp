@@ -140,6 +140,15 @@ TEST(ExactSum, DoesNotDependOnOrderOrGrouping) {
   EXPECT_TRUE(plain_sum_depends);  // else the values were too easy
 }
 
+TEST(ExactSum, CarriesBeforeADigitOverflows) {
+  for (int exponent = 0; exponent < 32; ++exponent) {
+    const double x = std::ldexp(std::nextafter(2.0, 0.0), exponent);
+    ExactSum sum;
+    for (int i = 0; i < 1 << 14; ++i) sum.add(x);
+    EXPECT_EQ(sum.value(), std::ldexp(x, 14)) << exponent;
+  }
+}
+
 TEST(ExactSum, MergesWithItself) {
   ExactSum sum;
   for (int i = 0; i < 700; ++i) sum.add(-0.1);
