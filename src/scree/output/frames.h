@@ -1,0 +1,52 @@
+// Pictures of all particles at chosen times: one HDF5 file per frame and an XDMF file over all of them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "scree/data/domain.h"
+#include "scree/output/element.h"
+
+namespace scree {
+
+/// One field of a frame: a row per particle, in the order of the ids.
+struct FrameColumn {
+  std::string name;     // of the dataset; one column is "position" with three components
+  std::string unit;     // "m/s"; "1" if it has none
+  std::string meaning;  // one sentence
+  ArrayView values;
+};
+
+/// Writes DIR/frames/frame_NNNNNN.h5 and DIR/fields.xdmf. Both are replaced atomically: whatever happens to the run,
+/// every frame that exists is whole and the XDMF names only frames that exist.
+class FrameWriter {
+ public:
+  /// A new series of frames in an existing run directory. `program` names the writer, as in "scree 0.1.0".
+  static FrameWriter create(const std::filesystem::path& directory, const Domain& domain, std::string program);
+
+  /// Goes on after the frames that are there; those later than `last_time` [s] are deleted.
+  /// Throws InputError when a frame cannot be read.
+  static FrameWriter resume(const std::filesystem::path& directory, const Domain& domain, std::string program,
+                            double last_time);
+
+  /// Writes the next frame. All columns have the same number of rows, which may differ from frame to frame.
+  /// Throws ResourceError.
+  void write(double time, std::uint64_t step, std::span<const FrameColumn> columns);
+
+  /// Frames written so far, those before a restart included: the number of the next frame.
+  std::uint64_t count() const { return count_; }
+
+ private:
+  FrameWriter(std::filesystem::path directory, const Domain& domain, std::string program);
+  void write_fields_file() const;
+
+  std::filesystem::path directory_;
+  Domain domain_;
+  std::string program_;
+  std::uint64_t count_ = 0;
+  std::string grids_;  // the XDMF text of the frames so far
+};
+
+}  // namespace scree

@@ -1,0 +1,75 @@
+// One HDF5 file: datasets, groups and attributes, with every failure of the library turned into an exception.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scree/output/element.h"
+
+namespace scree {
+
+/// How a dataset is stored: as it is, or in chunks with byte shuffle and deflate.
+enum class Storage { plain, compressed };
+
+/// What a dataset in a file holds; columns is 1 for a one-dimensional one.
+struct Shape {
+  Element element = Element::float64;
+  std::uint64_t rows = 0, columns = 1;
+};
+
+/// A file open for writing (create) or reading (open). Names are paths inside the file ("/group/name").
+/// Failures throw ResourceError when writing and InputError when reading, with path, name and reason.
+class Hdf5File {
+ public:
+  /// An empty file, replacing what is there. The first `user_block` bytes (0, or a power of two from 512) stay free for
+  /// the caller.
+  static Hdf5File create(const std::filesystem::path& path, std::uint64_t user_block = 0);
+  static Hdf5File open(const std::filesystem::path& path);
+
+  Hdf5File(Hdf5File&& other) noexcept;
+  Hdf5File& operator=(Hdf5File&&) = delete;
+  ~Hdf5File();
+
+  /// Brings everything to the file; a writer must call it, since the destructor cannot report a full disk.
+  void close();
+
+  void create_group(const std::string& name);
+
+  /// One-dimensional when the array has one column, else two-dimensional.
+  void write(const std::string& name, const ArrayView& array, Storage storage = Storage::plain);
+  void write_text(const std::string& name, std::string_view text);
+
+  /// Attributes of the dataset or group `object` ("/" for the file itself).
+  void set_attribute(const std::string& object, const std::string& name, std::string_view text);
+  void set_attribute(const std::string& object, const std::string& name, const ArrayView& row);
+
+  bool contains(const std::string& name) const;
+  /// Names in a group, in the order in which they were written.
+  std::vector<std::string> names(const std::string& group) const;
+  bool is_text(const std::string& name) const;
+  Shape shape(const std::string& name) const;
+
+  /// Reads a whole dataset into memory of element_size * rows * columns bytes, which shape() told.
+  void read(const std::string& name, const Shape& shape, void* destination) const;
+  std::string read_text(const std::string& name) const;
+
+  std::string text_attribute(const std::string& object, const std::string& name) const;
+  /// Reads an attribute of exactly `count` elements.
+  void read_attribute(const std::string& object, const std::string& name, Element element, std::uint64_t count,
+                      void* destination) const;
+
+ private:
+  Hdf5File(std::filesystem::path path, std::int64_t handle, bool writing);
+  [[noreturn]] void fail(const std::string& name) const;
+  std::int64_t check(std::int64_t result, const std::string& name) const;
+
+  std::filesystem::path path_;
+  std::int64_t handle_;
+  bool writing_;
+};
+
+}  // namespace scree

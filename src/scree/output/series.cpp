@@ -1,0 +1,94 @@
+// Rows of numbers appended to a CSV file, and the cut of an old one at the time of a restart.
+#include "scree/output/series.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <iterator>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "scree/base/atomic_file.h"
+#include "scree/base/error.h"
+
+namespace scree {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string header_line(const std::vector<std::string>& names) { return fmt::format("{}\n", fmt::join(names, ",")); }
+
+/// Takes the next line off `text`, without its end; a last line without one was torn by a kill and is dropped.
+bool next_line(std::string_view& text, std::string_view& line) {
+  const auto end = text.find('\n');
+  if (end == std::string_view::npos) return false;
+  line = text.substr(0, end);
+  text.remove_prefix(end + 1);
+  return true;
+}
+
+/// The lines of an existing table up to `last_time`, checked against the expected names.
+std::string rows_until(const fs::path& path, const std::vector<std::string>& names, double last_time) {
+  const std::string contents = read_text_file(path);
+  std::string_view rest = contents, line;
+  std::string kept = header_line(names);
+  // A kill right after the file was made may have left it without a complete first line.
+  if (!next_line(rest, line)) return kept;
+  if (line != std::string_view(kept).substr(0, kept.size() - 1))
+    throw InputError(
+        fmt::format("cannot append to '{}': it has the columns\n  {}\nand this run writes\n  {}restart into "
+                    "a new directory (-o DIR)",
+                    path.string(), line, kept));
+  for (std::size_t number = 2; next_line(rest, line); ++number) {
+    double time = 0;
+    const auto parsed = std::from_chars(line.data(), line.data() + line.size(), time);
+    const auto commas = static_cast<std::size_t>(std::ranges::count(line, ','));
+    if (parsed.ec != std::errc() || commas + 1 != names.size())
+      throw InputError(
+          fmt::format("{}:{}: not a row of {} numbers; mend or remove the line", path.string(), number, names.size()));
+    if (time <= last_time) kept.append(line).append("\n");
+  }
+  return kept;
+}
+
+}  // namespace
+
+SeriesWriter::SeriesWriter(fs::path path, std::size_t columns)
+    : path_(std::move(path)), columns_(columns), descriptor_(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)) {
+  if (descriptor_ < 0) throw ResourceError(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)));
+}
+
+SeriesWriter::SeriesWriter(SeriesWriter&& other) noexcept
+    : path_(std::move(other.path_)), columns_(other.columns_), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+SeriesWriter::~SeriesWriter() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+SeriesWriter SeriesWriter::create(const fs::path& path, std::vector<std::string> names) {
+  write_text_file(path, header_line(names));
+  return SeriesWriter(path, names.size());
+}
+
+SeriesWriter SeriesWriter::resume(const fs::path& path, std::vector<std::string> names, double last_time) {
+  if (!fs::exists(path)) return create(path, std::move(names));
+  write_text_file(path, rows_until(path, names, last_time));
+  return SeriesWriter(path, names.size());
+}
+
+void SeriesWriter::append(std::span<const double> values) {
+  if (values.size() % columns_ != 0) throw std::logic_error("a series takes whole rows");
+  fmt::memory_buffer text;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    fmt::format_to(std::back_inserter(text), "{}{}", values[i], (i + 1) % columns_ == 0 ? '\n' : ',');
+  write_all(descriptor_, {text.data(), text.size()}, path_);
+}
+
+}  // namespace scree

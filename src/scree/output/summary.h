@@ -1,0 +1,43 @@
+// summary.json: what a run was and how it went, for scripts.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// The contents of summary.json; docs/files.md has the meaning of each entry.
+struct Summary {
+  std::string program = "scree";
+  std::string version, commit;
+  std::string case_file, title;
+  std::string status;                                  // finished, interrupted, failed
+  std::string reason;                                  // of a failure or interruption; empty when finished
+  std::string started, ended;                          // UTC, ISO 8601
+  double wall_seconds = 0;                             // [s]
+  std::vector<std::pair<std::string, double>> stages;  // wall time of each stage [s]
+  std::uint64_t first_step = 0;                        // where a restart began
+  std::uint64_t steps = 0;                             // done by this run
+  double time = 0;                                     // reached [s]
+  double time_step = 0;                                // [s]
+  std::uint64_t particles = 0;
+  std::uint64_t particle_steps = 0;  // particles times steps, summed while it ran
+  std::uint64_t contacts = 0;        // contact evaluations, summed over the steps
+  int threads = 1;
+  std::vector<std::pair<std::string, double>> ledger;  // the last books, names as in series.csv
+  std::string state_hash;                              // SHA-256 of the final state
+};
+
+/// The text of summary.json; particle_steps_per_second is derived. Numbers that are not finite become null.
+std::string summary_text(const Summary& summary);
+
+/// Writes summary.json atomically. Throws ResourceError.
+void write_summary(const std::filesystem::path& path, const Summary& summary);
+
+/// The present time as ISO 8601 in UTC, "2031-05-04T10:20:30Z".
+std::string timestamp_now();
+
+}  // namespace scree

@@ -1,0 +1,59 @@
+// XDMF 3 text: Polyvertex grids whose arrays lie in HDF5 files. Readers tested: docs/files.md.
+#include "scree/output/xdmf.h"
+
+#include <fmt/format.h>
+
+namespace scree {
+namespace {
+
+const char* number_type(Element element) {
+  if (is_floating(element)) return "Float";
+  if (element == Element::uint8) return "UChar";
+  return element == Element::uint32 || element == Element::uint64 ? "UInt" : "Int";
+}
+
+/// A reference to a dataset of the frame's file with one row per point.
+std::string data_item(const XdmfFrame& frame, const std::string& dataset, Element element, std::uint64_t components) {
+  const std::string columns = components == 1 ? "" : fmt::format(" {}", components);
+  return fmt::format(R"(<DataItem Format="HDF" NumberType="{}" Precision="{}" Dimensions="{}{}">{}:{}</DataItem>)",
+                     number_type(element), element_size(element), frame.points, columns, frame.file, dataset);
+}
+
+const char* attribute_type(std::uint64_t components) {
+  switch (components) {
+    case 1:
+      return "Scalar";
+    case 3:
+      return "Vector";
+    case 9:
+      return "Tensor";
+    default:
+      return "Matrix";
+  }
+}
+
+}  // namespace
+
+std::string xdmf_grid(const XdmfFrame& frame) {
+  std::string text = fmt::format(
+      "   <Grid Name=\"particles\" GridType=\"Uniform\">\n    <Time Value=\"{}\"/>\n"
+      "    <Topology TopologyType=\"Polyvertex\" NodesPerElement=\"1\" NumberOfElements=\"{}\">{}</Topology>\n",
+      frame.time, frame.points, data_item(frame, "/vertices", Element::int32, 1));
+  for (const XdmfField& field : frame.fields) {
+    const std::string item = data_item(frame, "/particles/" + field.name, field.element, field.components);
+    if (field.name == "position")
+      text += fmt::format("    <Geometry GeometryType=\"XYZ\">{}</Geometry>\n", item);
+    else
+      text += fmt::format("    <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n",
+                          field.name, attribute_type(field.components), item);
+  }
+  return text + "   </Grid>\n";
+}
+
+std::string xdmf_document(const std::string& grids) {
+  return "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n <Domain>\n"
+         "  <Grid Name=\"frames\" GridType=\"Collection\" CollectionType=\"Temporal\">\n" +
+         grids + "  </Grid>\n </Domain>\n</Xdmf>\n";
+}
+
+}  // namespace scree

@@ -1,0 +1,33 @@
+// XDMF 3: the small XML file that tells ParaView what the frames hold.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scree/output/element.h"
+
+namespace scree {
+
+/// What XDMF needs to know of one dataset.
+struct XdmfField {
+  std::string name;
+  Element element = Element::float64;
+  std::uint64_t components = 1;
+};
+
+/// What XDMF needs to know of one frame; `file` is relative to the XDMF file. One field is called "position".
+struct XdmfFrame {
+  std::string file;
+  double time = 0;
+  std::uint64_t points = 0;
+  std::vector<XdmfField> fields;
+};
+
+/// The element for one frame: a cloud of points at one time, each other field an attribute of its points.
+std::string xdmf_grid(const XdmfFrame& frame);
+
+/// The whole document: a temporal collection of the given grids, one after the other.
+std::string xdmf_document(const std::string& grids);
+
+}  // namespace scree
