@@ -19,6 +19,7 @@ typedef double real;
 #define SC_SQRT(x) sqrt(x)
 #define SC_FABS(x) fabs(x)
 #define SC_FLOOR(x) floor(x)
+#define R(x) ((real)(x))
 #else
 typedef double real;
 #define SC_FN [[maybe_unused, gnu::always_inline]] static inline
@@ -27,12 +28,15 @@ typedef double real;
 #define SC_SQRT(x) __builtin_sqrt(x)
 #define SC_FABS(x) __builtin_fabs(x)
 #define SC_FLOOR(x) __builtin_floor(x)
+// A function, not a macro: libraries use the name R for their own things.
+template <class T>
+[[maybe_unused, gnu::always_inline]] static constexpr inline real R(T x) {
+  return static_cast<real>(x);
+}
 #endif
 
 // By comparison on both sides: the libraries' fmin and fmax differ in what they do with NaN and do not vectorise.
 #define SC_MIN(a, b) ((a) < (b) ? (a) : (b))
 #define SC_MAX(a, b) ((a) > (b) ? (a) : (b))
-
-#define R(x) ((real)(x))
 
 #endif

@@ -1,0 +1,146 @@
+#include "scree/particles/insert.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scree/base/error.h"
+#include "scree/particles/deviates.h"
+#include "scree/particles/insert_check.h"
+#include "scree/particles/insert_lattice.h"
+#include "scree/particles/insert_random.h"
+#include "scree/particles/insert_region.h"
+
+namespace scree {
+namespace {
+
+using Place = std::array<double, 3>;
+
+/// Volume of the part of space that a group's solid fraction refers to [m3].
+double region_volume(const ParticleGroup& group) {
+  double volume = 1;
+  for (int k = 0; k < 3; ++k) volume *= region_extent(group, k);
+  return volume;
+}
+
+std::vector<double> diameters_by_fraction(const ParticleGroup& group, std::uint32_t index, std::uint64_t seed) {
+  const double wanted = group.solid_fraction * region_volume(group);
+  std::vector<double> diameters;
+  for (double sum = 0;;) {
+    const double d = draw_diameter(group.sizes, seed, index, diameters.size());
+    if (sum + 0.5 * sphere_volume(d) > wanted) return diameters;
+    sum += sphere_volume(d);
+    diameters.push_back(d);
+  }
+}
+
+std::uint64_t group_count(const ParticleGroup& group) {
+  if (group.placement == ParticleGroup::Placement::given) return group.given.size();
+  if (group.placement == ParticleGroup::Placement::lattice && group.count == 0) return lattice_sites(group).count();
+  return group.count;
+}
+
+std::vector<Place> places_of(const ParticleGroup& group, std::uint32_t index, const std::vector<double>& diameters,
+                             const InsertionSetting& setting, OccupiedSpace& space) {
+  if (group.placement == ParticleGroup::Placement::random)
+    return random_positions(group, index, diameters, setting, space);
+  std::vector<Place> places;
+  if (group.placement == ParticleGroup::Placement::lattice) {
+    places = lattice_positions(group, index, diameters, setting);
+  } else {
+    for (const GivenParticle& given : group.given) {
+      places.push_back(given.position);
+      for (int k = 0; k < 3; ++k)
+        if (given.position[k] == setting.domain.max[k])
+          places.back()[k] = wrapped(given.position[k], setting.domain, k);
+    }
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) space.add(places[i], 0.5 * diameters[i]);
+  return places;
+}
+
+Place start_velocity(const ParticleGroup& group, std::uint32_t index, std::uint64_t count, const Place& place,
+                     const InsertionSetting& setting) {
+  if (group.placement == ParticleGroup::Placement::given && group.given[count].velocity)
+    return *group.given[count].velocity;
+  Place v = group.velocity;
+  if (group.start == ParticleGroup::Start::fluid && setting.fluid) v = setting.fluid(place);
+  if (group.start == ParticleGroup::Start::random) {
+    const std::uint32_t stream = random_stream(Purpose::velocity, index);
+    const auto xy = normal_pair({setting.seed, stream, count, 0});
+    const double z = normal({setting.seed, stream, count, 1});
+    v[0] += group.velocity_deviation * xy[0];
+    v[1] += group.velocity_deviation * xy[1];
+    v[2] += group.velocity_deviation * z;
+  }
+  return v;
+}
+
+void fill_row(Particles& particles, std::size_t row, const ParticleGroup& group, double diameter, const Place& x,
+              const Place& v, const Place& w) {
+  const double radius = 0.5 * diameter, mass = group.density * sphere_volume(diameter);
+  double* m = particles.motion.row(row);
+  double* s = particles.spin.row(row);
+  for (int k = 0; k < 3; ++k) {
+    m[lane::x + k] = x[k];
+    m[lane::vx + k] = v[k];
+    s[lane::sx + k] = radius * w[k];
+  }
+  m[lane::radius] = radius;
+  m[lane::inverse_mass] = group.free ? 1 / mass : 0.0;
+  s[lane::inverse_radius] = 1 / radius;
+  particles.id[row] = static_cast<std::int64_t>(row);
+  particles.material[row] = group.material;
+  particles.mass[row] = mass;
+  particles.effect_excess[row] = 0.5 * group.effect_gap;
+}
+
+void insert_group(Particles& particles, std::size_t first, const ParticleGroup& group, std::uint32_t index,
+                  const std::vector<double>& diameters, const std::vector<Place>& places,
+                  const InsertionSetting& setting) {
+  for (std::size_t i = 0; i < diameters.size(); ++i) {
+    const bool own_spin = group.placement == ParticleGroup::Placement::given && group.given[i].angular_velocity;
+    fill_row(particles, first + i, group, diameters[i], places[i], start_velocity(group, index, i, places[i], setting),
+             own_spin ? *group.given[i].angular_velocity : group.angular_velocity);
+    particles.group[first + i] = static_cast<std::int32_t>(index);
+  }
+}
+
+}  // namespace
+
+std::vector<double> group_diameters(const ParticleGroup& group, std::uint32_t index, std::uint64_t seed) {
+  if (group.placement == ParticleGroup::Placement::random && group.count == 0)
+    return diameters_by_fraction(group, index, seed);
+  std::vector<double> diameters(group_count(group));
+  for (std::size_t i = 0; i < diameters.size(); ++i) {
+    const bool own = group.placement == ParticleGroup::Placement::given && group.given[i].diameter;
+    diameters[i] = own ? *group.given[i].diameter : draw_diameter(group.sizes, seed, index, i);
+  }
+  return diameters;
+}
+
+Particles insert_particles(const std::vector<ParticleGroup>& groups, const InsertionSetting& setting) {
+  std::vector<std::vector<double>> diameters;
+  std::vector<double> radii;
+  for (std::uint32_t g = 0; g < groups.size(); ++g) {
+    diameters.push_back(group_diameters(groups[g], g, setting.seed));
+    for (const double d : diameters[g]) radii.push_back(0.5 * d);
+  }
+  OccupiedSpace space(setting.domain, radii);
+  Particles particles;
+  particles.resize(radii.size());
+  std::size_t first = 0;
+  bool all_random = true;
+  for (std::uint32_t g = 0; g < groups.size(); ++g) {
+    const std::vector<Place> places = places_of(groups[g], g, diameters[g], setting, space);
+    insert_group(particles, first, groups[g], g, diameters[g], places, setting);
+    first += places.size();
+    all_random = all_random && groups[g].placement == ParticleGroup::Placement::random;
+  }
+  check_places(particles, groups, setting);
+  if (!all_random) check_overlaps(particles, groups, setting);
+  return particles;
+}
+
+}  // namespace scree

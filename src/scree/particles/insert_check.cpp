@@ -1,0 +1,100 @@
+#include "scree/particles/insert_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scree/base/error.h"
+#include "scree/particles/insert_region.h"
+#include "scree/particles/neighbours.h"
+
+namespace scree {
+namespace {
+
+double wall_overlap(const sc_wall& wall, const double* position, double radius) {
+  sc_sphere_wall s;
+  s.position = sc_make_vec(position[0], position[1], position[2]);
+  s.radius = radius;
+  s.inverse_mass = 1;
+  s.velocity = s.rim_speed = s.spin = sc_zero_vec();
+  s.excess = 0;
+  return sc_touch_wall(s, wall).touch.overlap;
+}
+
+/// True if the centre, or with `margin` the sphere of that radius, is in a room; also true when there are no rooms.
+bool in_a_room(const Walls& walls, const double* position, double margin) {
+  if (walls.rooms.empty()) return true;
+  return std::any_of(walls.rooms.begin(), walls.rooms.end(), [&](const Room& room) {
+    for (int k = 0; k < 3; ++k)
+      if (position[k] < room.min[k] + margin || position[k] > room.max[k] - margin) return false;
+    return true;
+  });
+}
+
+std::string named(const Particles& particles, std::size_t i, const std::vector<ParticleGroup>& groups) {
+  const double* x = particles.motion.row(i);
+  return fmt::format("particle {} (group '{}') at ({:g}, {:g}, {:g}) m", particles.id[i],
+                     groups[particles.group[i]].name, x[0], x[1], x[2]);
+}
+
+}  // namespace
+
+bool clear_of_walls(const Walls* walls, const std::array<double, 3>& position, double radius) {
+  if (!walls) return true;
+  if (!in_a_room(*walls, position.data(), radius)) return false;
+  return std::none_of(walls->faces.begin(), walls->faces.end(),
+                      [&](const sc_wall& wall) { return wall_overlap(wall, position.data(), radius) > 0; });
+}
+
+void check_places(const Particles& particles, const std::vector<ParticleGroup>& groups,
+                  const InsertionSetting& setting) {
+  const Domain& domain = setting.domain;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const double* m = particles.motion.row(i);
+    for (int k = 0; k < 3; ++k)
+      if (!(m[k] >= domain.min[k] && m[k] <= domain.max[k]))
+        throw InputError(
+            fmt::format("{} lies outside the domain, which reaches from {:g} m to {:g} m along {}\n"
+                        "  = help: move the particle or enlarge the domain",
+                        named(particles, i, groups), domain.min[k], domain.max[k], "xyz"[k]));
+    if (!setting.walls || m[lane::inverse_mass] == 0) continue;
+    if (!in_a_room(*setting.walls, m, 0.0))
+      throw InputError(fmt::format("{} lies outside the box '{}'\n  = help: move the particle into the box",
+                                   named(particles, i, groups),
+                                   setting.walls->names[setting.walls->rooms.front().owner]));
+    for (std::size_t w = 0; w < setting.walls->size(); ++w) {
+      const double overlap = wall_overlap(setting.walls->faces[w], m, m[lane::radius]);
+      if (overlap > setting.max_overlap * m[lane::radius])
+        throw InputError(fmt::format(
+            "{} lies {:g} m deep in the wall '{}', {:.0f} % of its radius (simulation.max_overlap allows {:.0f} %)\n"
+            "  = help: move the particle or the wall",
+            named(particles, i, groups), overlap, setting.walls->names[setting.walls->owner[w]],
+            100 * overlap / m[lane::radius], 100 * setting.max_overlap));
+    }
+  }
+}
+
+void check_overlaps(const Particles& particles, const std::vector<ParticleGroup>& groups,
+                    const InsertionSetting& setting) {
+  const Candidates near = find_candidates(particles, setting.domain, 0.0);
+  double deepest = 0;
+  std::size_t worst = 0;
+  for (std::size_t c = 0; c < near.count; ++c) {
+    const double *a = particles.motion.row(near.owner[c]), *b = particles.motion.row(near.partner[c]);
+    const double overlap = a[lane::radius] + b[lane::radius] - std::sqrt(distance2(a, b, setting.domain));
+    const double fraction = overlap / std::min(a[lane::radius], b[lane::radius]);
+    if (fraction > deepest) {
+      deepest = fraction;
+      worst = c;
+    }
+  }
+  if (deepest <= setting.max_overlap) return;
+  throw InputError(
+      fmt::format("{} and {} overlap by {:.0f} % of the smaller radius (simulation.max_overlap allows {:.0f} %)\n"
+                  "  = help: move one of them or reduce the diameters",
+                  named(particles, near.owner[worst], groups), named(particles, near.partner[worst], groups),
+                  100 * deepest, 100 * setting.max_overlap));
+}
+
+}  // namespace scree

@@ -1,0 +1,53 @@
+// Random places without overlap (random sequential addition).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scree/data/domain.h"
+#include "scree/particles/cell_grid.h"
+#include "scree/particles/insert.h"
+
+namespace scree {
+
+/// The spheres placed so far, in one cell grid per octave of radius, so that finding out whether a place is free takes
+/// the same time however many there are.
+class OccupiedSpace {
+ public:
+  /// Room for spheres with these radii, all inside the box of the domain.
+  OccupiedSpace(const Domain& domain, const std::vector<double>& radii);
+
+  void add(const std::array<double, 3>& position, double radius);
+
+  /// True if a sphere at `position` touches none of those added.
+  bool is_free(const std::array<double, 3>& position, double radius) const;
+
+ private:
+  struct Level {
+    double reach = 0;  // largest radius
+    CellLattice lattice;
+    std::vector<std::int32_t> head;  // [cells]: the last sphere added to the cell, or -1
+  };
+  struct Sphere {
+    std::array<double, 3> position;
+    double radius;
+    std::int32_t next;  // in the same cell, or -1
+  };
+
+  int octave(double radius) const;
+
+  Domain domain_;
+  double largest_ = 0;
+  std::vector<Level> levels_;
+  std::vector<Sphere> spheres_;
+};
+
+/// Places the particles of a group, the largest first, where they touch neither what is in `space` nor a wall, and adds
+/// them to it. Position number i belongs to diameter number i. Every place is tried at random, uniform over the region;
+/// the tries of the whole group together are bounded by `group.attempts` per particle.
+/// Throws InputError, saying how many found room, when that is not enough.
+std::vector<std::array<double, 3>> random_positions(const ParticleGroup& group, std::uint32_t index,
+                                                    const std::vector<double>& diameters,
+                                                    const InsertionSetting& setting, OccupiedSpace& space);
+
+}  // namespace scree

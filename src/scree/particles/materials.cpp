@@ -1,0 +1,119 @@
+#include "scree/particles/materials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scree/base/error.h"
+#include "scree/particles/restitution.h"
+
+namespace scree {
+namespace {
+
+double geometric_mean(double a, double b) { return std::sqrt(a * b); }
+
+double needed(const MaterialProperties& m, const std::optional<double>& value, const char* key, const char* law) {
+  if (!value)
+    throw InputError(fmt::format("material '{}' has no `{}`, which the {} law needs\n  = help: add {} = ... to it",
+                                 m.name, key, law, key));
+  return *value;
+}
+
+double effective_young(const MaterialProperties& a, const MaterialProperties& b) {
+  const auto compliance = [](const MaterialProperties& m) {
+    const double nu = needed(m, m.poisson, "poisson", "Hertz");
+    return (1 - nu * nu) / needed(m, m.young, "young", "Hertz");
+  };
+  return 1 / (compliance(a) + compliance(b));
+}
+
+double effective_shear(const MaterialProperties& a, const MaterialProperties& b) {
+  const auto compliance = [](const MaterialProperties& m) {
+    const double nu = needed(m, m.poisson, "poisson", "Mindlin");
+    return (2 - nu) * 2 * (1 + nu) / needed(m, m.young, "young", "Mindlin");
+  };
+  return 1 / (compliance(a) + compliance(b));
+}
+
+double damping_ratio(int normal_law, double restitution) {
+  if (normal_law == SC_NORMAL_HERTZ) return damping_for_restitution_hertz(restitution);
+  if (normal_law == SC_NORMAL_LINEAR_PLAIN) return damping_for_restitution_plain(restitution);
+  return damping_for_restitution_linear(restitution);
+}
+
+bool uses_moduli(const sc_laws& laws) {
+  return laws.normal == SC_NORMAL_HERTZ || laws.tangential == SC_TANGENTIAL_MINDLIN || laws.cohesion == SC_COHESION_JKR;
+}
+
+bool uses_springs(const sc_laws& laws) {
+  const bool tangential_spring = laws.tangential != SC_TANGENTIAL_NONE && laws.tangential != SC_TANGENTIAL_SLIDING &&
+                                 laws.tangential != SC_TANGENTIAL_MINDLIN;
+  return laws.normal != SC_NORMAL_HERTZ || tangential_spring;
+}
+
+void mix_stiffness(sc_pair_law& law, const MaterialProperties& a, const MaterialProperties& b,
+                   const PairProperties& own, const ContactSettings& settings) {
+  if (uses_moduli(settings.laws)) {
+    law.young = effective_young(a, b);
+    law.shear = effective_shear(a, b);
+    if (own.young) {
+      law.shear *= *own.young / law.young;
+      law.young = *own.young;
+    }
+  }
+  if (!uses_springs(settings.laws)) return;
+  if (own.stiffness) {
+    law.stiffness = *own.stiffness;
+  } else {
+    const double ka = needed(a, a.stiffness, "stiffness", "linear"), kb = needed(b, b.stiffness, "stiffness", "linear");
+    law.stiffness = 2 * ka * kb / (ka + kb);
+  }
+  law.tangential_stiffness = settings.tangential_stiffness_ratio * law.stiffness;
+}
+
+sc_pair_law mix(const MaterialProperties& a, const MaterialProperties& b, const PairProperties& own,
+                const ContactSettings& settings) {
+  sc_pair_law law{};
+  mix_stiffness(law, a, b, own, settings);
+  law.damping =
+      damping_ratio(settings.laws.normal, own.restitution.value_or(geometric_mean(a.restitution, b.restitution)));
+  law.tangential_damping = settings.tangential_damping.value_or(law.damping);
+  law.friction_static = own.friction.value_or(geometric_mean(a.friction, b.friction));
+  const double mixed_sliding =
+      geometric_mean(a.friction_sliding.value_or(a.friction), b.friction_sliding.value_or(b.friction));
+  law.friction_sliding = own.friction_sliding.value_or(own.friction.value_or(mixed_sliding));
+  law.rolling_stiffness = settings.rolling_stiffness_ratio;
+  law.rolling_damping = settings.rolling_damping;
+  law.rolling_friction = own.rolling_friction.value_or(geometric_mean(a.rolling_friction, b.rolling_friction));
+  law.twisting_stiffness = settings.twisting_stiffness_ratio;
+  law.twisting_damping = settings.twisting_damping;
+  law.twisting_friction = own.twisting_friction.value_or(geometric_mean(a.twisting_friction, b.twisting_friction));
+  law.cohesion_stiffness = own.cohesion_stiffness.value_or(geometric_mean(a.cohesion_stiffness, b.cohesion_stiffness));
+  law.adhesion = own.adhesion.value_or(geometric_mean(a.adhesion, b.adhesion));
+  return law;
+}
+
+}  // namespace
+
+Materials make_materials(const std::vector<MaterialProperties>& materials, const std::vector<PairProperties>& pairs,
+                         const ContactSettings& settings) {
+  Materials out;
+  for (const MaterialProperties& m : materials) {
+    out.names.push_back(m.name);
+    out.density.push_back(m.density);
+  }
+  const int n = out.count();
+  out.law.resize(std::size_t(n) * std::size_t(n));
+  for (int a = 0; a < n; ++a)
+    for (int b = a; b < n; ++b) {
+      const auto own = std::find_if(pairs.begin(), pairs.end(), [&](const PairProperties& p) {
+        return std::minmax(p.a, p.b) == std::minmax(a, b);
+      });
+      out.pair(a, b) = out.pair(b, a) =
+          mix(materials[a], materials[b], own == pairs.end() ? PairProperties{} : *own, settings);
+    }
+  return out;
+}
+
+}  // namespace scree
