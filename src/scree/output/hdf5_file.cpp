@@ -189,13 +189,18 @@ void Hdf5File::write_text(const std::string& name, std::string_view text) {
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, std::string_view text) {
-  const Handle type(text_type(text), H5Tclose);
+  // Of variable length, since h5py hands those out as str and others as bytes.
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
   const Handle attribute(
       H5Acreate_by_name(handle_, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose);
   check(attribute, name);
-  check(H5Awrite(attribute, type, text.empty() ? "" : text.data()), name);
+  const std::string terminated(text);
+  const char* pointer = terminated.c_str();
+  check(H5Awrite(attribute, type, &pointer), name);
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, const ArrayView& row) {
@@ -266,11 +271,12 @@ std::string Hdf5File::text_attribute(const std::string& object, const std::strin
   const Handle attribute(H5Aopen_by_name(handle_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   check(attribute, name);
   const Handle type(H5Aget_type(attribute), H5Tclose);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
-    throw InputError(fmt::format("'{}': attribute '{}' is no plain text", path_.string(), name));
-  std::string text(H5Tget_size(type), '\0');
-  check(H5Aread(attribute, type, text.data()), name);
-  text.erase(text.find_last_not_of('\0') + 1);
+  if (H5Tis_variable_str(type) <= 0)
+    throw InputError(fmt::format("'{}': attribute '{}' is no text of Scree", path_.string(), name));
+  char* pointer = nullptr;
+  check(H5Aread(attribute, type, &pointer), name);
+  const std::string text(pointer ? pointer : "");
+  H5free_memory(pointer);
   return text;
 }
 
