@@ -17,14 +17,14 @@ using Expression3 = std::array<std::string, 3>;  // formulas of x, y, z, t for t
 
 struct SimulationKeys {
   std::string title;
-  double end = 0;                      // [s]
-  std::optional<double> time_step;     // [s]; empty: "auto"
-  double steps_per_contact = 25;       // of "auto"
-  std::optional<double> top_speed;     // the fastest impact that "auto" and the check count with [m/s]
-  std::string integrator = "leapfrog"; // leapfrog, explicit, implicit
+  double end = 0;                       // [s]
+  std::optional<double> time_step;      // [s]; empty: "auto"
+  double steps_per_contact = 25;        // of "auto"
+  std::optional<double> top_speed;      // the fastest impact that "auto" and the check count with [m/s]
+  std::string integrator = "leapfrog";  // leapfrog, explicit, implicit
   std::uint64_t seed = 1;
-  double max_overlap = 0.2;            // of the smaller radius; beyond it the run stops
-  double skin = 0;                     // of the Verlet list [m]; 0: chosen by the program
+  double max_overlap = 0.2;  // of the smaller radius; beyond it the run stops
+  double skin = 0;           // of the Verlet list [m]; 0: chosen by the program
 };
 
 struct DomainKeys {
@@ -33,39 +33,39 @@ struct DomainKeys {
 };
 
 struct GravityKeys {
-  std::string type = "none";           // none, uniform, central, expression, rotating
-  Vec3 acceleration{};                 // uniform and rotating [m/s2]
-  Vec3 center{};                       // central: the attracting point; rotating: a point on the axis [m]
-  double strength = 0;                 // central: G M [m3/s2]
-  Expression3 expression;              // of x, y, z, t [m/s2]
-  Vec3 angular_velocity{};             // of the rotating frame [rad/s]
-  Vec3 angular_acceleration{};         // of the rotating frame [rad/s2]
+  std::string type = "none";    // none, uniform, central, expression, rotating
+  Vec3 acceleration{};          // uniform and rotating [m/s2]
+  Vec3 center{};                // central: the attracting point; rotating: a point on the axis [m]
+  double strength = 0;          // central: G M [m3/s2]
+  Expression3 expression;       // of x, y, z, t [m/s2]
+  Vec3 angular_velocity{};      // of the rotating frame [rad/s]
+  Vec3 angular_acceleration{};  // of the rotating frame [rad/s2]
 };
 
 struct FlowKeys {
-  std::string type = "none";           // none, still, uniform, taylor_green, shear, expression
-  std::string drag = "none";           // none, stokes, schiller_naumann
-  double density = 0;                  // [kg/m3]
-  double viscosity = 0;                // dynamic [Pa s]
-  Vec3 velocity{};                     // uniform [m/s]
-  double amplitude = 0;                // Taylor-Green A [m/s]
-  double wavenumber = 0;               // Taylor-Green a [1/m]
-  double shear_rate = 0;               // u_x = rate * (y - shear_origin) [1/s]
-  double shear_origin = 0;             // [m]
-  Expression3 expression;              // of x, y, z, t [m/s]
+  std::string type = "none";  // none, still, uniform, taylor_green, shear, expression
+  std::string drag = "none";  // none, stokes, schiller_naumann
+  double density = 0;         // [kg/m3]
+  double viscosity = 0;       // dynamic [Pa s]
+  Vec3 velocity{};            // uniform [m/s]
+  double amplitude = 0;       // Taylor-Green A [m/s]
+  double wavenumber = 0;      // Taylor-Green a [1/m]
+  double shear_rate = 0;      // u_x = rate * (y - shear_origin) [1/s]
+  double shear_origin = 0;    // [m]
+  Expression3 expression;     // of x, y, z, t [m/s]
 };
 
 struct MaterialKeys {
   std::string name;
-  double density = 0;                        // [kg/m3]
-  std::optional<double> young, poisson;      // Hertz, Mindlin, JKR [Pa], [-]
-  std::optional<double> stiffness;           // linear normal spring [N/m]
+  double density = 0;                    // [kg/m3]
+  std::optional<double> young, poisson;  // Hertz, Mindlin, JKR [Pa], [-]
+  std::optional<double> stiffness;       // linear normal spring [N/m]
   double restitution = 1;
-  double friction = 0;                       // static and sliding
-  std::optional<double> friction_sliding;    // default: as friction
+  double friction = 0;                     // static and sliding
+  std::optional<double> friction_sliding;  // default: as friction
   double rolling_friction = 0, twisting_friction = 0;
-  double cohesion_stiffness = 0;             // [N/m]
-  double adhesion = 0;                       // work of adhesion against itself [J/m2]
+  double cohesion_stiffness = 0;  // [N/m]
+  double adhesion = 0;            // work of adhesion against itself [J/m2]
 };
 
 /// What a pair of materials has of its own; what is empty is mixed from the two materials.
@@ -105,50 +105,90 @@ struct ParticleKeys {
   std::string name;
   std::string material;
   SizeKeys diameter;
-  double effect_gap = 0;               // d_e - d_b: how much the effect diameter exceeds the body diameter [m]
-  std::string motion = "free";         // free, fixed, prescribed: the last two have infinite mass
-  Expression3 motion_velocity;         // prescribed: formulas of t (and of the initial x, y, z) [m/s]
-  std::string insert = "lattice";      // lattice, random, file, positions
-  Vec3 region_min{}, region_max{};     // lattice, random [m]; default: the domain
-  std::uint64_t count = 0;             // lattice, random: how many
-  double solid_fraction = 0;           // random: instead of count
-  double spacing = 0;                  // lattice: distance of neighbours [m]; 0: fill the region evenly with `count`
-  double jitter = 0;                   // lattice: largest shift, as a fraction of the free gap
-  std::string file;                    // CSV: columns x, y, z [, vx, vy, vz, wx, wy, wz, diameter]; path made absolute
-  std::vector<Vec3> positions;         // positions: given one by one
+  double effect_gap = 0;            // d_e - d_b: how much the effect diameter exceeds the body diameter [m]
+  std::string motion = "free";      // free, fixed, prescribed: the last two have infinite mass
+  Expression3 motion_velocity;      // prescribed: formulas of t (and of the initial x, y, z) [m/s]
+  std::string insert = "lattice";   // lattice, random, file, positions
+  Vec3 region_min{}, region_max{};  // lattice, random [m]; default: the domain
+  std::uint64_t count = 0;          // lattice, random: how many
+  double solid_fraction = 0;        // random: instead of count
+  double spacing = 0;               // lattice: distance of neighbours [m]; 0: fill the region evenly with `count`
+  double jitter = 0;                // lattice: largest shift, as a fraction of the free gap
+  std::string file;                 // CSV: columns x, y, z [, vx, vy, vz, wx, wy, wz, diameter]; path made absolute
+  std::vector<Vec3> positions;      // positions: given one by one
   VelocityKeys velocity;
-  Vec3 angular_velocity{};             // [rad/s]
-  std::uint64_t attempts = 1000;       // random: tries per particle before giving up
+  Vec3 angular_velocity{};        // [rad/s]
+  std::uint64_t attempts = 1000;  // random: tries per particle before giving up
 };
 
 struct WallKeys {
   std::string name;
-  std::string type;                    // plane, rectangle, box
+  std::string type;  // plane, rectangle, box
   std::string material;
-  Vec3 point{}, normal{};              // plane: particles are on the side that the normal points to
-  Vec3 min{}, max{};                   // rectangle (flat in one axis), box
-  std::string side = "inside";         // box: particles are inside or outside
+  Vec3 point{}, normal{};       // plane: particles are on the side that the normal points to
+  Vec3 min{}, max{};            // rectangle (flat in one axis), box
+  std::string side = "inside";  // box: particles are inside or outside
 };
 
 struct OutputKeys {
-  double frames = 0;                   // interval [s]; 0: only first and last
-  double series = 0;                   // interval [s]; 0: 200 rows over the run
-  double checkpoints = 0;              // interval [s]; 0: only at the end
-  std::vector<std::uint64_t> tracks;   // ids of particles whose motion is written at every series row
+  double frames = 0;                  // interval [s]; 0: only first and last
+  double series = 0;                  // interval [s]; 0: 200 rows over the run
+  double checkpoints = 0;             // interval [s]; 0: only at the end
+  std::vector<std::uint64_t> tracks;  // ids of particles whose motion is written at every series row
 };
 
 struct LedgerKeys {
-  std::uint64_t every = 0;             // steps; 0: at every series row
-  double energy_tolerance = 0;         // closure error as a fraction of the turnover at which the run stops; 0: never
+  std::uint64_t every = 0;        // steps; 0: at every series row
+  double energy_tolerance = 0;    // closure error as a fraction of the turnover at which the run stops; 0: never
+  std::vector<std::string> omit;  // channels left out of the books on purpose, to see that the check bites
 };
 
 struct AnalysisKeys {
   bool agglomerates = false;
-  double stop_agglomerated = 0;        // ends the run when this fraction of the particles is in agglomerates; 0: never
+  double stop_agglomerated = 0;  // ends the run when this fraction of the particles is in agglomerates; 0: never
+};
+
+/// A run of a verification case with some keys changed.
+struct VariantKeys {
+  std::string name;
+  std::vector<std::string> set;     // overrides, each "key.path=value" as on the command line
+  double parameter = 0;             // what the variants vary, for orders of convergence (a time step, say)
+  bool wrong = false;               // a term is deliberately wrong: at least one expectation must fail
+  std::vector<std::string> define;  // "name = formula": numbers of this variant, before those of the case
+};
+
+/// One number that a verification case must reproduce.
+struct ExpectKeys {
+  std::string what;      // in words
+  std::string value;     // formula of the results (docs/verification.md)
+  std::string equals;    // number or formula; empty if only bounds are given
+  double tolerance = 0;  // absolute
+  double relative = 0;   // of `equals`
+  std::optional<double> at_least, at_most;
+  std::vector<std::string> variants;  // names; empty: every variant that is not wrong
+  std::string source;                 // author, year, equation; empty: that of the case
+};
+
+/// A picture of a verification case over its reference.
+struct VerifyPlotKeys {
+  std::string title;
+  std::string x = "time", y, reference;  // formulas; reference may be empty
+  std::string x_label, y_label;
+  std::vector<std::string> variants;  // names; empty: every variant that is not wrong
+  bool per_variant = false;           // one point per variant instead of one curve per variant
+  bool logarithmic = false;           // both axes
+};
+
+struct VerifyKeys {
+  std::string title, source;
+  std::vector<VariantKeys> variants;
+  std::vector<ExpectKeys> expect;
+  std::vector<std::string> define;  // "name = formula": names that the formulas may use, in order
+  std::vector<VerifyPlotKeys> plots;
 };
 
 struct Case {
-  std::string path;                    // of the case file
+  std::string path;  // of the case file
   SimulationKeys simulation;
   DomainKeys domain;
   GravityKeys gravity;
@@ -161,6 +201,7 @@ struct Case {
   OutputKeys output;
   LedgerKeys ledger;
   AnalysisKeys analysis;
+  VerifyKeys verify;  // used by `scree verify` only
 };
 
 }  // namespace scree

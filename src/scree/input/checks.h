@@ -1,0 +1,34 @@
+// What must hold between the keys of a case, beyond what each key's own line says.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "scree/input/bind.h"
+#include "scree/input/case.h"
+#include "scree/input/problem.h"
+
+namespace scree {
+
+struct Check {
+  const Case& c;
+  const Origins& origins;
+  std::vector<Problem>& problems;
+
+  /// Adds a problem at the key's value, or at the table around it where the key is not given.
+  void fail(const char* code, const std::string& path, std::string message, std::string note,
+            std::string help = "") const;
+  /// Whether all these keys were read without a problem; checks on the others would only echo it.
+  bool sound(std::initializer_list<std::string> paths) const;
+};
+
+/// "materials.2", the path of a table in a list.
+std::string item_path(const char* list, std::size_t index);
+
+void check_materials(const Check& check);  // names, references, what the laws need
+void check_geometry(const Check& check);   // domain, walls, regions, positions
+void check_particles(const Check& check);  // sizes, insertion, flow
+void check_verify(const Check& check);     // variants and expectations
+
+}  // namespace scree

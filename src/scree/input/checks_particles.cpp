@@ -1,0 +1,101 @@
+// Particles: sizes, how many, from where; and what the run asks of the flow and the clock.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+
+#include "scree/input/checks.h"
+
+namespace scree {
+namespace {
+
+constexpr double fraction_tolerance = 1e-6;
+
+void check_size(const Check& check, const std::string& path, const SizeKeys& size) {
+  if (!check.sound({path})) return;
+  if (size.distribution == "classes") {
+    if (size.diameters.size() != size.fractions.size())
+      check.fail("E167", path + ".fractions",
+                 fmt::format("{} diameters but {} fractions", size.diameters.size(), size.fractions.size()),
+                 "one for each diameter");
+    const double sum = std::accumulate(size.fractions.begin(), size.fractions.end(), 0.0);
+    if (std::abs(sum - 1) > fraction_tolerance)
+      check.fail("E167", path + ".fractions", "the fractions do not add up to 1",
+                 fmt::format("they add up to {:.7g}", sum));
+    return;
+  }
+  if (size.distribution == "single") return;
+  if (size.min > size.max)
+    check.fail("E167", path + ".min", "the smallest diameter is above the largest",
+               fmt::format("max is {} m", size.max));
+  else if (size.distribution != "uniform" && (size.mean < size.min || size.mean > size.max))
+    check.fail("E167", path + ".mean", "the mean diameter is not between min and max",
+               fmt::format("min is {} m, max is {} m", size.min, size.max));
+}
+
+void check_insertion(const Check& check, std::size_t index) {
+  const ParticleKeys& p = check.c.particles[index];
+  const std::string path = item_path("particles", index);
+  if (!check.sound({path + ".insert", path + ".count", path + ".solid_fraction", path + ".spacing", path + ".file"}))
+    return;
+  if (p.insert == "random" && (p.count > 0) == (p.solid_fraction > 0))
+    check.fail("E169", path + ".insert", "insert = 'random' needs either 'count' or 'solid_fraction'",
+               p.count > 0 ? "both are given" : "neither is given", "say how many particles there are in one way");
+  if (p.insert == "lattice" && p.count == 0 && p.spacing == 0)
+    check.fail("E169", path + ".insert", "insert = 'lattice' needs 'count', 'spacing' or both", "neither is given",
+               "count fills the region evenly, spacing fixes the distance of neighbours");
+  std::error_code ignored;
+  if (p.insert == "file" && !std::filesystem::is_regular_file(p.file, ignored))
+    check.fail("E168", path + ".file", fmt::format("there is no file '{}'", p.file), "not found",
+               "file names are relative to the case file");
+  if (p.velocity.type == "fluid" && check.c.flow.type == "none" && check.sound({"flow.type"}))
+    check.fail("E163", path + ".velocity.type", "velocity.type = 'fluid' needs a flow", "there is no fluid",
+               "set flow.type   (scree explain flow.type)");
+}
+
+void check_flow(const Check& check) {
+  const FlowKeys& f = check.c.flow;
+  if (f.drag != "none" && f.viscosity == 0 && check.sound({"flow.viscosity", "flow.drag", "flow.type"}))
+    check.fail("E163", "flow.drag", fmt::format("drag = '{}' needs the viscosity of the fluid", f.drag),
+               "'viscosity' is missing", "add 'viscosity'   (scree explain flow.viscosity)");
+  if (f.drag == "schiller_naumann" && f.density == 0 && check.sound({"flow.density", "flow.drag", "flow.type"}))
+    check.fail("E163", "flow.drag", "drag = 'schiller_naumann' needs the density of the fluid", "'density' is missing",
+               "add 'density'   (scree explain flow.density)");
+}
+
+/// Ids of tracks can be checked when the number of particles is known before they are placed.
+void check_tracks(const Check& check) {
+  const Case& c = check.c;
+  if (!check.sound({"output.tracks", "particles"})) return;
+  std::uint64_t total = 0;
+  for (const ParticleKeys& p : c.particles) {
+    const std::uint64_t count = p.insert == "positions" ? p.positions.size() : p.count;
+    if (count == 0) return;
+    total += count;
+  }
+  for (std::uint64_t id : c.output.tracks)
+    if (id >= total)
+      check.fail("E160", "output.tracks", fmt::format("there is no particle with id {}", id),
+                 fmt::format("ids go from 0 to {}", total - 1));
+}
+
+}  // namespace
+
+void check_particles(const Check& check) {
+  const Case& c = check.c;
+  if (c.particles.empty() && check.sound({"particles"}))
+    check.fail("E103", "", "there are no particles", "",
+               "add a group headed by [[particles]]   (scree explain particles)");
+  for (std::size_t i = 0; i < c.particles.size(); ++i) {
+    check_size(check, item_path("particles", i) + ".diameter", c.particles[i].diameter);
+    check_insertion(check, i);
+  }
+  check_flow(check);
+  check_tracks(check);
+  if (check.sound({"simulation.end", "simulation.time_step"}) && c.simulation.time_step.value_or(0) > c.simulation.end)
+    check.fail("E167", "simulation.time_step", "the time step is longer than the run",
+               fmt::format("end is {} s", c.simulation.end));
+}
+
+}  // namespace scree

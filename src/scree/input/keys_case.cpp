@@ -1,0 +1,125 @@
+// The case file as a whole, and the tables that frame a run.
+#include "scree/input/keys.h"
+
+namespace scree {
+
+const Section& case_section() {
+  static const Section section = {
+      "",
+      "the case file",
+      "A case: what is simulated, and what is written.",
+      {table("simulation", &Case::simulation, simulation_section()), table("domain", &Case::domain, domain_section()),
+       table("gravity", &Case::gravity, gravity_section()), table("flow", &Case::flow, flow_section()),
+       table("contact", &Case::contact, contact_section()),
+       tables<Case, MaterialKeys>(
+           "materials", [](Case & c) -> auto& { return c.materials; }, materials_section()),
+       tables<Case, PairKeys>(
+           "pairs", [](Case & c) -> auto& { return c.pairs; }, pairs_section()),
+       tables<Case, ParticleKeys>(
+           "particles", [](Case & c) -> auto& { return c.particles; }, particles_section()),
+       tables<Case, WallKeys>(
+           "walls", [](Case & c) -> auto& { return c.walls; }, walls_section()),
+       table("output", &Case::output, output_section()), table("ledger", &Case::ledger, ledger_section()),
+       table("analysis", &Case::analysis, analysis_section()), table("verify", &Case::verify, verify_section()),
+       tables<Case, ExpectKeys>(
+           "expect", [](Case & c) -> auto& { return c.verify.expect; }, expect_section())},
+      [] { return std::make_shared<Case>(); }};
+  return section;
+}
+
+const Section& simulation_section() {
+  using S = SimulationKeys;
+  static const Section section = {
+      "simulation",
+      "[simulation]",
+      "How long and in which steps the particles are followed.",
+      {key("title", &S::title, "what the case is about, in words"),
+       key("end", &S::end, "simulated time at which the run ends").unit("s").above(0).required(),
+       key("time_step", &S::time_step, "time step; \"auto\" is the shortest contact time divided by steps_per_contact")
+           .unit("s")
+           .above(0)
+           .or_word("auto"),
+       key("steps_per_contact", &S::steps_per_contact, "time steps in the shortest contact when time_step is \"auto\"")
+           .at_least(1)
+           .at_most(1e6),
+       key("top_speed", &S::top_speed, "fastest impact that the automatic time step and `scree check` count with")
+           .unit("m/s")
+           .above(0)
+           .defaults_to("estimated from the initial velocities, the flow and the fall height"),
+       key("integrator", &S::integrator,
+           "leapfrog: kick and drift with drag integrated exactly, second order; explicit, implicit: Euler's velocity "
+           "with trapezoidal position, first order, for comparison")
+           .one_of({"leapfrog", "explicit", "implicit"}),
+       key("seed", &S::seed, "seed of every random draw; the same seed gives the same particles on any machine"),
+       key("max_overlap", &S::max_overlap, "overlap at which the run stops, as a fraction of the smaller radius")
+           .above(0)
+           .at_most(1),
+       key("skin", &S::skin, "margin of the list of neighbours; 0: chosen by the program").unit("m").at_least(0)},
+      [] { return std::make_shared<S>(); }};
+  return section;
+}
+
+const Section& domain_section() {
+  using S = DomainKeys;
+  static const Section section = {"domain",
+                                  "[domain]",
+                                  "The box that holds the particles. One that leaves it along an axis that is not "
+                                  "periodic is lost, and the run stops.",
+                                  {key("min", &S::min, "lower corner").unit("m").required(),
+                                   key("max", &S::max, "upper corner").unit("m").required(),
+                                   key("periodic", &S::periodic, "whether the box repeats itself along x, y, z")},
+                                  [] { return std::make_shared<S>(); }};
+  return section;
+}
+
+const Section& output_section() {
+  using S = OutputKeys;
+  static const Section section = {
+      "output",
+      "[output]",
+      "What the run writes, and how often.",
+      {key("frames", &S::frames, "time between two frames of particles; 0: only the first and the last")
+           .unit("s")
+           .at_least(0),
+       key("series", &S::series, "time between two rows of series.csv; 0: 200 rows over the run").unit("s").at_least(0),
+       key("checkpoints", &S::checkpoints, "time between two checkpoints; 0: only at the end").unit("s").at_least(0),
+       key("tracks", &S::tracks, "ids of particles whose motion is written to tracks.csv at every row of the series")},
+      [] { return std::make_shared<S>(); }};
+  return section;
+}
+
+const Section& ledger_section() {
+  using S = LedgerKeys;
+  static const Section section = {
+      "ledger",
+      "[ledger]",
+      "The books of energy and momentum.",
+      {key("every", &S::every, "steps between two closures of the books; 0: at every row of the series"),
+       key("energy_tolerance", &S::energy_tolerance,
+           "closure error of the energy, as a fraction of the turnover, at which the run stops; 0: never")
+           .at_least(0),
+       key("omit", &S::omit, "channels left out of the books on purpose, to see that the check bites")
+           .one_of(
+               {"normal", "sliding", "rolling", "drag", "body", "prescribed", "momentum_impulse", "angular_impulse"})},
+      [] { return std::make_shared<S>(); }};
+  return section;
+}
+
+const Section& analysis_section() {
+  using S = AnalysisKeys;
+  static const Section section = {"analysis",
+                                  "[analysis]",
+                                  "What is measured while the run goes on.",
+                                  {key("agglomerates", &S::agglomerates,
+                                       "whether agglomerates (particles connected by contact or effect distance) are "
+                                       "found, at every row of the series"),
+                                   key("stop_agglomerated", &S::stop_agglomerated,
+                                       "ends the run when this fraction of the particles is in agglomerates; 0: never")
+                                       .at_least(0)
+                                       .at_most(1)
+                                       .only_with("agglomerates", {"true"})},
+                                  [] { return std::make_shared<S>(); }};
+  return section;
+}
+
+}  // namespace scree

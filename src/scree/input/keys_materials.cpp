@@ -1,0 +1,116 @@
+// Materials, what pairs of them have of their own, and walls.
+#include "scree/input/keys.h"
+
+namespace scree {
+
+const Section& materials_section() {
+  using S = MaterialKeys;
+  static const Section section = {
+      "materials",
+      "[[materials]]",
+      "A material of particles or walls.",
+      {key("name", &S::name, "name by which particles, walls and pairs refer to it").is_a(TextKind::name).required(),
+       key("density", &S::density, "of the solid; materials of walls need none")
+           .unit("kg/m3")
+           .above(0)
+           .defaults_to("none"),
+       key("young", &S::young, "Young's modulus, for hertz, mindlin and jkr").unit("Pa").above(0).defaults_to("none"),
+       key("poisson", &S::poisson, "Poisson's ratio, for hertz, mindlin and jkr")
+           .above(-1)
+           .at_most(0.5)
+           .defaults_to("none"),
+       key("stiffness", &S::stiffness, "of the linear normal spring between two bodies of this material")
+           .unit("N/m")
+           .above(0)
+           .defaults_to("none"),
+       key("restitution", &S::restitution, "speed after over speed before a head-on collision").above(0).at_most(1),
+       key("friction", &S::friction, "coefficient of friction, static and sliding").at_least(0).at_most(100),
+       key("friction_sliding", &S::friction_sliding, "coefficient while sliding")
+           .at_least(0)
+           .at_most(100)
+           .defaults_to("as friction"),
+       key("rolling_friction", &S::rolling_friction, "largest rolling couple over radius times normal force")
+           .at_least(0)
+           .at_most(100),
+       key("twisting_friction", &S::twisting_friction, "largest twisting couple over radius times normal force")
+           .at_least(0)
+           .at_most(100),
+       key("cohesion_stiffness", &S::cohesion_stiffness,
+           "of linear cohesion: force over the overlap of the effect surfaces")
+           .unit("N/m")
+           .at_least(0),
+       key("adhesion", &S::adhesion, "work of adhesion of this material against itself, for jkr")
+           .unit("J/m2")
+           .at_least(0)},
+      [] { return std::make_shared<S>(); }};
+  return section;
+}
+
+const Section& pairs_section() {
+  using S = PairKeys;
+  static const Section section = {
+      "pairs",
+      "[[pairs]]",
+      "What two materials have in common; what is not given is mixed from the two.",
+      {key("materials", &S::materials, "names of the two materials; may be the same twice").required(),
+       key("stiffness", &S::stiffness, "of the linear normal spring").unit("N/m").above(0).defaults_to("mixed"),
+       key("young", &S::young, "effective modulus E* of the pair").unit("Pa").above(0).defaults_to("mixed"),
+       key("restitution", &S::restitution, "speed after over speed before a head-on collision")
+           .above(0)
+           .at_most(1)
+           .defaults_to("mixed"),
+       key("friction", &S::friction, "coefficient of friction, static and sliding")
+           .at_least(0)
+           .at_most(100)
+           .defaults_to("mixed"),
+       key("friction_sliding", &S::friction_sliding, "coefficient while sliding")
+           .at_least(0)
+           .at_most(100)
+           .defaults_to("as friction if that is given, else mixed"),
+       key("rolling_friction", &S::rolling_friction, "largest rolling couple over radius times normal force")
+           .at_least(0)
+           .at_most(100)
+           .defaults_to("mixed"),
+       key("twisting_friction", &S::twisting_friction, "largest twisting couple over radius times normal force")
+           .at_least(0)
+           .at_most(100)
+           .defaults_to("mixed"),
+       key("cohesion_stiffness", &S::cohesion_stiffness, "of linear cohesion")
+           .unit("N/m")
+           .at_least(0)
+           .defaults_to("mixed"),
+       key("adhesion", &S::adhesion, "work of adhesion between the two").unit("J/m2").at_least(0).defaults_to("mixed")},
+      [] { return std::make_shared<S>(); }};
+  return section;
+}
+
+const Section& walls_section() {
+  using S = WallKeys;
+  static const Section section = {
+      "walls",
+      "[[walls]]",
+      "A wall at rest.",
+      {key("name", &S::name, "name in messages and results").is_a(TextKind::name).defaults_to("wall0, wall1, ..."),
+       key("type", &S::type,
+           "plane: infinite, one-sided; rectangle: finite, aligned with the axes, two-sided; box: the six faces of a "
+           "box")
+           .one_of({"plane", "rectangle", "box"})
+           .required(),
+       key("material", &S::material, "name of a material").required(),
+       key("point", &S::point, "a point of the plane").unit("m").required().only_with("type", {"plane"}),
+       key("normal", &S::normal, "direction from the plane towards the particles; any length")
+           .required()
+           .only_with("type", {"plane"}),
+       key("min", &S::min, "lower corner; a rectangle has min = max along one axis")
+           .unit("m")
+           .required()
+           .only_with("type", {"rectangle", "box"}),
+       key("max", &S::max, "upper corner").unit("m").required().only_with("type", {"rectangle", "box"}),
+       key("side", &S::side, "on which side of the box the particles are")
+           .one_of({"inside", "outside"})
+           .only_with("type", {"box"})},
+      [] { return std::make_shared<S>(); }};
+  return section;
+}
+
+}  // namespace scree

@@ -1,0 +1,139 @@
+// Groups of particles: size, motion, and how they come to be.
+#include "scree/input/keys.h"
+
+namespace scree {
+namespace {
+
+const Section& diameter_section() {
+  using S = SizeKeys;
+  static const std::vector<std::string> continuous = {"uniform", "normal", "lognormal"};
+  static const std::vector<std::string> peaked = {"normal", "lognormal"};
+  static const Section section = {
+      "particles.diameter",
+      "the diameter",
+      "Body diameter: one value for all, or a distribution by number.",
+      {key("distribution", &S::distribution,
+           "single: one value; classes: some values with their fractions; uniform, normal, lognormal: between min and "
+           "max")
+           .one_of({"single", "classes", "uniform", "normal", "lognormal"}),
+       key("value", &S::value, "the single diameter")
+           .unit("m")
+           .above(0)
+           .required()
+           .only_with("distribution", {"single"}),
+       key("diameters", &S::diameters, "diameters of the classes")
+           .unit("m")
+           .above(0)
+           .required()
+           .only_with("distribution", {"classes"}),
+       key("fractions", &S::fractions, "fractions of the classes by number; they add up to 1")
+           .above(0)
+           .at_most(1)
+           .required()
+           .only_with("distribution", {"classes"}),
+       key("mean", &S::mean, "mean of the diameter before it is cut at min and max")
+           .unit("m")
+           .above(0)
+           .required()
+           .only_with("distribution", peaked),
+       key("deviation", &S::deviation, "standard deviation of the diameter before it is cut at min and max")
+           .unit("m")
+           .above(0)
+           .required()
+           .only_with("distribution", peaked),
+       key("min", &S::min, "smallest diameter").unit("m").above(0).required().only_with("distribution", continuous),
+       key("max", &S::max, "largest diameter").unit("m").above(0).required().only_with("distribution", continuous)},
+      [] { return std::make_shared<S>(); }};
+  return section;
+}
+
+const Section& velocity_section() {
+  using S = VelocityKeys;
+  static const Section section = {
+      "particles.velocity",
+      "the velocity",
+      "Initial velocity: one value for all, random, or that of the fluid.",
+      {key("type", &S::type,
+           "given: one velocity; random: normal deviates about it; fluid: that of the flow at the particle")
+           .one_of({"given", "random", "fluid"}),
+       key("value", &S::value, "the velocity, or the mean of random ones")
+           .unit("m/s")
+           .only_with("type", {"given", "random"}),
+       key("deviation", &S::deviation, "standard deviation of each component")
+           .unit("m/s")
+           .above(0)
+           .required()
+           .only_with("type", {"random"})},
+      [] { return std::make_shared<S>(); }};
+  return section;
+}
+
+}  // namespace
+
+const Section& particles_section() {
+  using S = ParticleKeys;
+  static const std::vector<std::string> filled = {"lattice", "random"};
+  static const Section section = {
+      "particles",
+      "[[particles]]",
+      "A group of particles. Ids are counted through the groups in the order of the file.",
+      {key("name", &S::name, "name in messages and results").is_a(TextKind::name).defaults_to("group0, group1, ..."),
+       key("material", &S::material, "name of a material").required(),
+       table("diameter", &S::diameter, diameter_section(), "value").required(),
+       key("effect_gap", &S::effect_gap,
+           "by how much the effect diameter, up to which linear cohesion acts, exceeds the body diameter")
+           .unit("m")
+           .at_least(0),
+       key("motion", &S::motion,
+           "free: moved by forces; fixed: at rest; prescribed: moved by formulas; the last two have infinite mass")
+           .one_of({"free", "fixed", "prescribed"}),
+       key("motion_velocity", &S::motion_velocity,
+           "components of the prescribed velocity; x, y, z are the initial position")
+           .unit("m/s")
+           .required()
+           .only_with("motion", {"prescribed"}),
+       key("insert", &S::insert,
+           "lattice: cubic lattice; random: at random without overlap; file: columns of a CSV file; positions: given "
+           "here")
+           .one_of({"lattice", "random", "file", "positions"}),
+       key("region_min", &S::region_min, "lower corner of the box to fill")
+           .unit("m")
+           .defaults_to("that of the domain")
+           .only_with("insert", filled),
+       key("region_max", &S::region_max, "upper corner of the box to fill")
+           .unit("m")
+           .defaults_to("that of the domain")
+           .only_with("insert", filled),
+       key("count", &S::count, "number of particles; 0: from spacing or solid_fraction")
+           .at_most(1e10)
+           .only_with("insert", filled),
+       key("solid_fraction", &S::solid_fraction, "volume of the particles over that of the region; 0: from count")
+           .at_least(0)
+           .at_most(0.5)
+           .only_with("insert", {"random"}),
+       key("spacing", &S::spacing, "distance of neighbours on the lattice; 0: the region is filled evenly with count")
+           .unit("m")
+           .at_least(0)
+           .only_with("insert", {"lattice"}),
+       key("jitter", &S::jitter, "largest random shift off the lattice, as a fraction of the free gap")
+           .at_least(0)
+           .at_most(1)
+           .only_with("insert", {"lattice"}),
+       key("file", &S::file,
+           "CSV file with the columns x, y, z and perhaps vx, vy, vz, wx, wy, wz, diameter, in SI units; relative to "
+           "the case file")
+           .is_a(TextKind::file)
+           .required()
+           .only_with("insert", {"file"}),
+       key("positions", &S::positions, "positions one by one").unit("m").required().only_with("insert", {"positions"}),
+       table("velocity", &S::velocity, velocity_section(), "value"),
+       key("angular_velocity", &S::angular_velocity, "initial angular velocity").unit("rad/s"),
+       key("attempts", &S::attempts, "tries for each particle before random insertion gives up")
+           .at_least(1)
+           .at_most(1e9)
+           .only_with("insert", {"random"})},
+      [] { return std::make_shared<S>(); }};
+  return section;
+}
+
+}  // namespace scree

@@ -1,0 +1,112 @@
+// The stages of loading: syntax, overrides, keys, defaults that depend on other keys, checks.
+#include "scree/input/load.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "scree/base/error.h"
+#include "scree/input/bind.h"
+#include "scree/input/checks.h"
+#include "scree/input/overrides.h"
+#include "scree/input/toml_reader.h"
+
+namespace scree {
+namespace {
+
+constexpr std::uintmax_t largest_file = 256u << 20;
+
+struct Outcome {
+  Case c;
+  Origins origins;
+  std::vector<Problem> problems;
+};
+
+/// Defaults that are not constants: names by number, the whole domain as region, absolute file names.
+void complete(Case& c, const Origins& origins) {
+  for (std::size_t i = 0; i < c.particles.size(); ++i) {
+    ParticleKeys& p = c.particles[i];
+    const std::string path = item_path("particles", i);
+    if (!origins.given(path + ".name")) p.name = fmt::format("group{}", i);
+    if (!origins.given(path + ".region_min")) p.region_min = c.domain.min;
+    if (!origins.given(path + ".region_max")) p.region_max = c.domain.max;
+    std::error_code ignored;
+    const std::filesystem::path base = std::filesystem::path(c.path).parent_path();
+    if (!p.file.empty()) p.file = std::filesystem::absolute(base / p.file, ignored).lexically_normal().string();
+  }
+  for (std::size_t i = 0; i < c.walls.size(); ++i)
+    if (!origins.given(item_path("walls", i) + ".name")) c.walls[i].name = fmt::format("wall{}", i);
+}
+
+Outcome evaluate(Table root, const std::string& path, const std::vector<std::string>& overrides) {
+  Outcome result;
+  result.c.path = path;
+  for (std::size_t i = 0; i < overrides.size(); ++i)
+    apply_override(root, overrides[i], static_cast<int>(i) + 1, result.problems);
+  bind_case(root, result.c, result.origins, result.problems);
+  complete(result.c, result.origins);
+  const Check check{result.c, result.origins, result.problems};
+  check_materials(check);
+  check_geometry(check);
+  check_particles(check);
+  check_verify(check);
+  return result;
+}
+
+/// Every variant of a verification case must be a valid case itself.
+void check_variants(const Table& root, const std::vector<std::string>& overrides, Outcome& result) {
+  for (std::size_t i = 0; i < result.c.verify.variants.size(); ++i) {
+    const VariantKeys& variant = result.c.verify.variants[i];
+    std::vector<std::string> all = overrides;
+    all.insert(all.end(), variant.set.begin(), variant.set.end());
+    const Outcome changed = evaluate(root, result.c.path, all);
+    if (changed.problems.empty()) continue;
+    const Problem& first = changed.problems.front();
+    const int set = first.place.source - static_cast<int>(overrides.size()) - 1;
+    const std::string by = set >= 0 ? fmt::format("by \"{}\"", variant.set[set]) : "not a valid case";
+    result.problems.push_back({"E181", result.origins.place(item_path("verify.variants", i) + ".set"),
+                               fmt::format("variant '{}': {}", variant.name, first.message), by, first.help});
+  }
+}
+
+[[noreturn]] void unreadable(const std::string& path, const std::string& why) {
+  throw InputError(
+      fmt::format("{}: error[E100]: cannot read the case file: {}\n      = help: scree explain E100", path, why));
+}
+
+std::string read_file(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) unreadable(path, "it is a directory");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) unreadable(path, std::strerror(errno));
+  if (std::filesystem::file_size(path, error) > largest_file && !error) unreadable(path, "it is larger than 256 MiB");
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (file.bad()) unreadable(path, "reading failed");
+  return text;
+}
+
+}  // namespace
+
+Case parse_case(std::string_view text, const std::string& path_for_messages, const std::vector<std::string>& overrides,
+                bool colour) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const Sources sources{path_for_messages, std::string(text), overrides};
+  std::optional<Problem> syntax;
+  const Table root = read_toml(text, 0, syntax);
+  if (syntax) throw InputError(render(sources, {*syntax}, colour));
+  Outcome result = evaluate(root, path_for_messages, overrides);
+  if (result.problems.empty()) check_variants(root, overrides, result);
+  if (!result.problems.empty()) throw InputError(render(sources, result.problems, colour));
+  return result.c;
+}
+
+Case load_case(const std::string& path, const std::vector<std::string>& overrides, bool colour) {
+  return parse_case(read_file(path), path, overrides, colour);
+}
+
+}  // namespace scree
