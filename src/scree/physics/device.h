@@ -10,9 +10,15 @@
 #pragma OPENCL FP_CONTRACT OFF
 #ifdef SCREE_FLOAT
 typedef float real;
+typedef unsigned int sc_bits;
+#define SC_BITS_OF(x) as_uint(x)
+#define SC_REAL_OF(i) as_float(i)
 #else
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 typedef double real;
+typedef unsigned long sc_bits;
+#define SC_BITS_OF(x) as_ulong(x)
+#define SC_REAL_OF(i) as_double(i)
 #endif
 #define SC_FN static inline
 #define SC_GLOBAL __global
@@ -21,18 +27,36 @@ typedef double real;
 #define SC_FLOOR(x) floor(x)
 #define R(x) ((real)(x))
 #else
+// Builtins, so that the loops around them vectorise. Single precision on a CPU is for tests of the text.
+#ifdef SCREE_FLOAT
+typedef float real;
+typedef unsigned int sc_bits;
+#define SC_SQRT(x) __builtin_sqrtf(x)
+#define SC_FABS(x) __builtin_fabsf(x)
+#define SC_FLOOR(x) __builtin_floorf(x)
+#else
 typedef double real;
-#define SC_FN [[maybe_unused, gnu::always_inline]] static inline
-#define SC_GLOBAL
-// Builtins, so that the loops around them vectorise.
+typedef unsigned long long sc_bits;
 #define SC_SQRT(x) __builtin_sqrt(x)
 #define SC_FABS(x) __builtin_fabs(x)
 #define SC_FLOOR(x) __builtin_floor(x)
+#endif
+#define SC_BITS_OF(x) __builtin_bit_cast(sc_bits, (x))
+#define SC_REAL_OF(i) __builtin_bit_cast(real, (i))
+#define SC_FN [[maybe_unused, gnu::always_inline]] static inline
+#define SC_GLOBAL
 // A function, not a macro: libraries use the name R for their own things.
 template <class T>
 [[maybe_unused, gnu::always_inline]] static constexpr inline real R(T x) {
   return static_cast<real>(x);
 }
+#endif
+
+// Smallest divisor that counts as different from zero: what is divided by it stays finite.
+#ifdef SCREE_FLOAT
+#define SC_TINY R(1e-36)
+#else
+#define SC_TINY R(1e-280)
 #endif
 
 // By comparison on both sides: the libraries' fmin and fmax differ in what they do with NaN and do not vectorise.

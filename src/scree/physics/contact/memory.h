@@ -1,0 +1,52 @@
+// What a contact remembers, brought to the present: how long it lasts, and its spring turned with it.
+#ifndef SCREE_PHYSICS_CONTACT_MEMORY_H
+#define SCREE_PHYSICS_CONTACT_MEMORY_H
+
+#include "scree/physics/contact/contact.h"
+
+/// A contact's memory at the present evaluation.
+typedef struct {
+  int begins;     // the bodies met since the last evaluation
+  real approach;  // normal velocity [m/s]
+  real span;      // time in contact since the last evaluation [s]
+  real weight;    // of forces that jump when the bodies meet [-]
+  sc_vec slide;   // tangential spring, turned with the contact [m]
+  real hold;      // tangential stiffness at the last evaluation over the present one [-]
+} sc_contact_memory;
+
+/// Brings the memory of a contact to the present.
+///
+/// A kick carries the force of one evaluation over the time around it. The first one after the bodies met, a time
+/// `span` ago, stands for all from the meeting to its end: a force that jumps at the meeting (a dashpot) counts (span +
+/// kick - lead)/kick times, which makes its impulse second order in dt.
+///
+/// The spring loses its part along the normal and regains its old length. `growing` says that the tangential stiffness
+/// goes with the square root of `depth`, an overlap. Both need a square root of a ratio q near 1; (1 + 3 q)/(3 + q) is
+/// wrong by (q - 1)^3/32 only (3e-14 for a turn of 0.01 rad) and lets both and the span share one division. At the
+/// first touch the stiffness grows from 0 (`hold` 1/3 makes its mean 2/3 of it), but from a part of it with adhesion.
+/// `bonded`: the contact cannot begin now.
+SC_FN sc_contact_memory sc_remember(sc_touch t, sc_contact_time time, sc_contact_state s, int growing, real depth,
+                                    int bonded) {
+  sc_contact_memory out;
+  out.approach = sc_dot(t.velocity, t.normal);
+  const real advance = out.approach * time.dt;
+  out.begins = (t.overlap > R(0)) & (t.overlap < advance) & !bonded;
+  const sc_vec turned = sc_reject(s.slide, t.normal);
+  const real before = sc_dot(s.slide, s.slide);
+  const real after = sc_dot(turned, turned);
+  const real length = R(3) * after + before;
+  const real closing = SC_MIN(advance, depth);
+  const real growth = growing ? R(4) * depth - closing : R(1);
+  const real both = length * growth;
+  const real inverse = R(1) / (out.begins ? out.approach : both);
+  const int kept = (both > SC_TINY) & !out.begins;
+  out.span = out.begins ? t.overlap * inverse : time.dt;
+  out.weight = out.begins ? (out.span + time.kick - time.lead) * (R(1) / time.kick) : R(1);
+  out.slide = sc_scale(kept ? (after + R(3) * before) * growth * inverse : R(0), turned);
+  const real fresh = t.overlap < depth ? R(1) : R(1.0 / 3.0);
+  const real held = kept ? (R(4) * depth - R(3) * closing) * length * inverse : (out.begins ? fresh : R(1));
+  out.hold = growing ? held : R(1);
+  return out;
+}
+
+#endif

@@ -1,0 +1,44 @@
+// Resistance to rolling and twisting: a spring with dashpot and slider for the relative rotation (Luding 2008; Jiang,
+// Yu and Harris 2005).
+#ifndef SCREE_PHYSICS_CONTACT_ROLLING_SPRING_H
+#define SCREE_PHYSICS_CONTACT_ROLLING_SPRING_H
+
+#include "scree/physics/contact/spring.h"
+
+/// What resists a rotation about a contact.
+typedef struct {
+  real stiffness;  // k_t times the fraction of k_t R^2 that the spring has [N/m]
+  real damping;    // damping ratio [-]
+  real friction;   // [-]
+  real load;       // normal force on which friction acts [N]
+} sc_turning;
+
+/// Brings a stretch to the present contact normal: loses its part along it, keeps its length.
+SC_FN sc_vec sc_turn_stretch(sc_vec stretch, sc_vec normal) {
+  const sc_vec turned = sc_reject(stretch, normal);
+  const real after = sc_dot(turned, turned);
+  return sc_scale(after > SC_TINY ? SC_SQRT(sc_dot(stretch, stretch) / after) : R(0), turned);
+}
+
+/// The spring element for the rotation `spin` [rad/s] during `span` from the stretch `start` [rad]; k_t in the law's
+/// `stiffness`, and its couple is at most friction * R * load.
+/// The moment of inertia 2/5 m R^2 of reduced mass and effective radius is exact for a sphere on a wall and too small
+/// by up to 4 for two spheres, so the damping ratio means a little less there.
+SC_FN sc_spring sc_turning_spring(sc_turning law, sc_touch t, sc_vec start, sc_vec spin, real span) {
+  sc_spring out;
+  const real square = t.radius * t.radius;
+  out.mass = R(0.4) * t.mass * square;
+  out.stiffness = law.stiffness * square;
+  out.damping = R(2) * law.damping * SC_SQRT(out.stiffness * out.mass);
+  out.sticking = law.friction * t.radius * law.load;
+  out.sliding = out.sticking;
+  out.held = start;
+  out.start = start;
+  out.stored = sc_dot(start, start);
+  out.velocity = spin;
+  out.span = span;
+  out.rise = R(1);
+  return out;
+}
+
+#endif
