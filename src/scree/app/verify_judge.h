@@ -16,7 +16,8 @@ struct VariantRun {
   std::string directory;
   double seconds = 0;
   ResultTable results;
-  std::string stopped;  // message of the error that ended the run; empty: it finished
+  std::string stopped;       // message of the error that ended the run; empty: it finished
+  bool interrupted = false;  // by the user
 };
 
 /// One number and its verdict. The expected value is absent where only bounds are given.

@@ -7,6 +7,20 @@
 #include "scree/base/error.h"
 
 namespace scree {
+namespace {
+
+std::string defined_name(const std::string& definition) {
+  std::string name = definition.substr(0, definition.find('='));
+  std::erase(name, ' ');
+  return name;
+}
+
+bool defines(const VariantKeys& variant, const std::string& name) {
+  return std::ranges::any_of(variant.define,
+                             [&](const std::string& definition) { return defined_name(definition) == name; });
+}
+
+}  // namespace
 
 std::vector<std::unique_ptr<Formulas>> prepare_formulas(const VerifyKeys& keys, const std::vector<VariantRun>& runs) {
   std::vector<std::unique_ptr<Formulas>> formulas;
@@ -16,7 +30,8 @@ std::vector<std::unique_ptr<Formulas>> prepare_formulas(const VerifyKeys& keys, 
     formulas.back() = std::make_unique<Formulas>(run.results);
     formulas.back()->set_parameter(run.keys.parameter);
     for (const std::string& definition : run.keys.define) formulas.back()->define(definition);
-    for (const std::string& definition : keys.define) formulas.back()->define(definition);
+    for (const std::string& definition : keys.define)
+      if (!defines(run.keys, defined_name(definition))) formulas.back()->define(definition);
   }
   return formulas;
 }

@@ -9,8 +9,8 @@
 
 namespace scree {
 
-/// Formulas over the results of each run, with the definitions of its variant and of the case; null where a run was
-/// stopped. Throws InputError for a definition that cannot be read.
+/// Formulas over the results of each run, with the definitions of its variant and then of the case, of which the
+/// variant may replace some; null where a run was stopped. Throws InputError for a definition that cannot be read.
 std::vector<std::unique_ptr<Formulas>> prepare_formulas(const VerifyKeys& keys, const std::vector<VariantRun>& runs);
 
 /// Places of the runs that a list of variant names stands for: those named, or all that are not wrong.

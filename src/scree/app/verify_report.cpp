@@ -87,7 +87,7 @@ std::string report_text(const CaseReport& report) {
   return text + "\n";
 }
 
-std::string summary_text(const std::vector<CaseReport>& reports) {
+std::string closing_text(const std::vector<CaseReport>& reports) {
   std::size_t numbers = 0, wrong = 0;
   std::string failed;
   for (const CaseReport& report : reports) {

@@ -20,7 +20,7 @@ struct CaseReport {
 std::string report_text(const CaseReport& report);
 
 /// The line under all tables: how many cases and numbers, and which cases failed.
-std::string summary_text(const std::vector<CaseReport>& reports);
+std::string closing_text(const std::vector<CaseReport>& reports);
 
 /// The content of verify.json (docs/verification.md).
 std::string report_json(const std::vector<CaseReport>& reports);
