@@ -4,11 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "scree/input/suggest.h"
 
 namespace scree {
+namespace {
+
+void variants_exist(const Check& check, const std::string& path, const std::vector<std::string>& names,
+                    const std::vector<std::string>& wanted) {
+  for (const std::string& name : wanted)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      check.fail("E160", path + ".variants", fmt::format("there is no variant '{}'", name),
+                 "not a name in [[verify.variants]]", did_you_mean(name, names));
+}
+
+}  // namespace
 
 void Check::fail(const char* code, const std::string& path, std::string message, std::string note,
                  std::string help) const {
@@ -50,11 +60,10 @@ void check_verify(const Check& check) {
                  "'equals' is missing");
     if (e.at_least && e.at_most && *e.at_least > *e.at_most)
       check.fail("E170", path + ".at_least", "'at_least' is above 'at_most'", fmt::format("at_most is {}", *e.at_most));
-    for (const std::string& name : e.variants)
-      if (std::find(names.begin(), names.end(), name) == names.end())
-        check.fail("E160", path + ".variants", fmt::format("there is no variant '{}'", name),
-                   "not a name in [[verify.variants]]", did_you_mean(name, names));
+    variants_exist(check, path, names, e.variants);
   }
+  for (std::size_t i = 0; i < verify.plots.size(); ++i)
+    variants_exist(check, item_path("verify.plots", i), names, verify.plots[i].variants);
 }
 
 }  // namespace scree

@@ -14,8 +14,7 @@ const Section& variants_section() {
        key("set", &S::set, "changed keys, each \"key.path=value\" as on the command line"),
        key("parameter", &S::parameter, "what the variants vary, for orders of convergence (the time step, say)"),
        key("wrong", &S::wrong, "a term is deliberately wrong: at least one expectation must fail"),
-       key("define", &S::define,
-           "numbers of this variant for the formulas, each \"name = formula\"; they replace those of the case")},
+       key("define", &S::define, "\"name = formula\": names of this variant, before those of the case")},
       [] { return std::make_shared<S>(); }};
   return section;
 }
@@ -25,15 +24,16 @@ const Section& plots_section() {
   static const Section section = {
       "verify.plots",
       "[[verify.plots]]",
-      "A picture of a verification case over its reference.",
-      {key("title", &S::title, "title of the picture").required(),
-       key("x", &S::x, "formula of the abscissa").is_a(TextKind::formula),
-       key("y", &S::y, "formula of the result").is_a(TextKind::formula).required(),
-       key("reference", &S::reference, "formula of the reference").is_a(TextKind::formula).defaults_to("none"),
-       key("x_label", &S::x_label, "label of the abscissa"), key("y_label", &S::y_label, "label of the ordinate"),
-       key("variants", &S::variants, "names of the variants to draw").defaults_to("every variant that is not wrong"),
-       key("per_variant", &S::per_variant, "one point for each variant instead of one curve for each variant"),
-       key("logarithmic", &S::logarithmic, "logarithmic axes")},
+      "A picture of a verification case over its reference, drawn by `scree verify --plot`.",
+      {key("title", &S::title, "headline"), key("x", &S::x, "formula of the abscissa").is_a(TextKind::formula),
+       key("y", &S::y, "formula of the ordinate").is_a(TextKind::formula).required(),
+       key("reference", &S::reference, "formula of what the ordinate must be")
+           .is_a(TextKind::formula)
+           .defaults_to("none"),
+       key("x_label", &S::x_label, "words at the abscissa"), key("y_label", &S::y_label, "words at the ordinate"),
+       key("variants", &S::variants, "names of the variants drawn").defaults_to("every variant that is not wrong"),
+       key("per_variant", &S::per_variant, "one point for each variant instead of one curve for each"),
+       key("logarithmic", &S::logarithmic, "both axes are logarithmic")},
       [] { return std::make_shared<S>(); }};
   return section;
 }
@@ -48,10 +48,9 @@ const Section& verify_section() {
       "A verification case: what it shows, and where its truth comes from.",
       {key("title", &S::title, "what is verified, in words"),
        key("source", &S::source, "where the expected values come from: author, year, equation"),
+       key("define", &S::define, "\"name = formula\": names that the formulas may use, in order"),
        tables<S, VariantKeys>(
            "variants", [](S & s) -> auto& { return s.variants; }, variants_section()),
-       key("define", &S::define,
-           "names for the formulas, each \"name = formula\": a number, or a column of the results"),
        tables<S, VerifyPlotKeys>(
            "plots", [](S & s) -> auto& { return s.plots; }, plots_section())},
       [] { return std::make_shared<S>(); }};
