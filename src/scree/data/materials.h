@@ -11,12 +11,15 @@ namespace scree {
 /// Materials by index, and the constants of each pair as a full symmetric table.
 struct Materials {
   std::vector<std::string> names;
-  std::vector<double> density;   // [kg/m3]
-  std::vector<sc_pair_law> law;  // [materials][materials]
+  std::vector<double> density;      // [kg/m3]
+  std::vector<sc_pair_law> law;     // [materials][materials]
+  std::vector<double> restitution;  // [materials][materials]: what the damping ratio was derived from
 
   int count() const { return static_cast<int>(names.size()); }
-  const sc_pair_law& pair(int a, int b) const { return law[std::size_t(a) * names.size() + std::size_t(b)]; }
-  sc_pair_law& pair(int a, int b) { return law[std::size_t(a) * names.size() + std::size_t(b)]; }
+  std::size_t index(int a, int b) const {
+    return static_cast<std::size_t>(a) * names.size() + static_cast<std::size_t>(b);
+  }
+  const sc_pair_law& pair(int a, int b) const { return law[index(a, b)]; }
 };
 
 }  // namespace scree

@@ -72,12 +72,11 @@ void mix_stiffness(sc_pair_law& law, const MaterialProperties& a, const Material
   law.tangential_stiffness = settings.tangential_stiffness_ratio * law.stiffness;
 }
 
-sc_pair_law mix(const MaterialProperties& a, const MaterialProperties& b, const PairProperties& own,
+sc_pair_law mix(const MaterialProperties& a, const MaterialProperties& b, const PairProperties& own, double restitution,
                 const ContactSettings& settings) {
   sc_pair_law law{};
   mix_stiffness(law, a, b, own, settings);
-  law.damping =
-      damping_ratio(settings.laws.normal, own.restitution.value_or(geometric_mean(a.restitution, b.restitution)));
+  law.damping = damping_ratio(settings.laws.normal, restitution);
   law.tangential_damping = settings.tangential_damping.value_or(law.damping);
   law.friction_static = own.friction.value_or(geometric_mean(a.friction, b.friction));
   const double mixed_sliding =
@@ -104,14 +103,21 @@ Materials make_materials(const std::vector<MaterialProperties>& materials, const
     out.density.push_back(m.density);
   }
   const int n = out.count();
-  out.law.resize(std::size_t(n) * std::size_t(n));
+  out.law.resize(out.names.size() * out.names.size());
+  out.restitution.resize(out.law.size());
   for (int a = 0; a < n; ++a)
     for (int b = a; b < n; ++b) {
-      const auto own = std::find_if(pairs.begin(), pairs.end(), [&](const PairProperties& p) {
+      const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const PairProperties& p) {
         return std::minmax(p.a, p.b) == std::minmax(a, b);
       });
-      out.pair(a, b) = out.pair(b, a) =
-          mix(materials[a], materials[b], own == pairs.end() ? PairProperties{} : *own, settings);
+      const PairProperties own = found == pairs.end() ? PairProperties{} : *found;
+      const double restitution =
+          own.restitution.value_or(geometric_mean(materials[a].restitution, materials[b].restitution));
+      const sc_pair_law law = mix(materials[a], materials[b], own, restitution, settings);
+      for (const std::size_t place : {out.index(a, b), out.index(b, a)}) {
+        out.law[place] = law;
+        out.restitution[place] = restitution;
+      }
     }
   return out;
 }

@@ -1,0 +1,86 @@
+#include "scree/app/body_kinds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scree/app/build_particles.h"
+#include "scree/base/expression.h"
+
+namespace scree {
+namespace {
+
+double length(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+double distance(const Vec3& a, const Vec3& b) { return length({a[0] - b[0], a[1] - b[1], a[2] - b[2]}); }
+
+void take_sizes(BodyKind& kind, const ParticleGroup& group, std::uint32_t index, std::uint64_t seed) {
+  const std::vector<double> diameters = group_diameters(group, index, seed);
+  kind.count = diameters.size();
+  for (const double d : diameters) kind.volume += sphere_volume(d);
+  if (diameters.empty()) return;
+  const auto [smallest, largest] = std::minmax_element(diameters.begin(), diameters.end());
+  const bool own = std::any_of(group.given.begin(), group.given.end(), [](const auto& g) { return g.diameter; });
+  kind.smallest = own ? *smallest : min_diameter(group.sizes);
+  kind.largest = own ? *largest : max_diameter(group.sizes);
+}
+
+void take_velocities(BodyKind& kind, const ParticleGroup& group) {
+  std::vector<Vec3> own;
+  for (const GivenParticle& given : group.given)
+    if (given.velocity) own.push_back(*given.velocity);
+  if (!own.empty()) {
+    for (const Vec3& v : own)
+      for (int k = 0; k < 3; ++k) kind.velocity[k] += v[k] / static_cast<double>(own.size());
+    for (const Vec3& v : own) kind.spread = std::max(kind.spread, distance(v, kind.velocity));
+    return;
+  }
+  if (group.start == ParticleGroup::Start::fluid) return;
+  kind.velocity = group.velocity;
+  // Four standard deviations: few particles are faster.
+  if (group.start == ParticleGroup::Start::random) kind.spread = 4 * group.velocity_deviation;
+}
+
+/// The fastest that formulas of the prescribed motion get during the run, looked at from the middle of the region.
+double prescribed_speed(const ParticleKeys& keys, const ParticleGroup& group, double end) {
+  std::vector<Expression> v;
+  for (const std::string& text : keys.motion_velocity)
+    v.emplace_back(text, std::vector<std::string>{"x", "y", "z", "t"});
+  Vec3 place;
+  for (int k = 0; k < 3; ++k)
+    place[k] = group.given.empty() ? 0.5 * (group.region_min[k] + group.region_max[k]) : group.given[0].position[k];
+  constexpr int instants = 256;
+  double fastest = 0;
+  for (int i = 0; i <= instants; ++i) {
+    const std::array<double, 4> at{place[0], place[1], place[2], end * i / instants};
+    fastest = std::max(fastest, length({v[0](at), v[1](at), v[2](at)}));
+  }
+  return fastest;
+}
+
+}  // namespace
+
+double BodyKind::typical() const {
+  constexpr double pi = 3.141592653589793;
+  return count == 0 ? 0.0 : std::cbrt(volume / static_cast<double>(count) * 6 / pi);
+}
+
+std::vector<BodyKind> body_kinds(const Case& c) {
+  const std::vector<ParticleGroup> groups = build_groups(c);
+  std::vector<BodyKind> kinds;
+  for (std::uint32_t g = 0; g < groups.size(); ++g) {
+    BodyKind kind;
+    kind.name = groups[g].name;
+    kind.material = groups[g].material;
+    kind.free = groups[g].free;
+    kind.density = groups[g].density;
+    kind.effect_gap = groups[g].effect_gap;
+    take_sizes(kind, groups[g], g, c.simulation.seed);
+    take_velocities(kind, groups[g]);
+    if (c.particles[g].motion == "prescribed")
+      kind.spread = std::max(kind.spread, prescribed_speed(c.particles[g], groups[g], c.simulation.end));
+    if (kind.count > 0) kinds.push_back(kind);
+  }
+  return kinds;
+}
+
+}  // namespace scree

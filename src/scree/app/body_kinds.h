@@ -1,0 +1,33 @@
+// The kinds of bodies of a case: what their sizes and speeds range over, for the numbers derived from it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scree/data/materials.h"
+#include "scree/input/case.h"
+
+namespace scree {
+
+/// One particle group, in numbers.
+struct BodyKind {
+  std::string name;
+  int material = 0;
+  bool free = true;
+  std::uint64_t count = 0;
+  double density = 0;                // [kg/m3]
+  double smallest = 0, largest = 0;  // diameters that the case can create [m]
+  double volume = 0;                 // of all of them [m3]
+  double effect_gap = 0;             // effect diameter minus body diameter [m]
+  Vec3 velocity{};                   // mean at the start [m/s]
+  double spread = 0;                 // how far velocities at the start are from the mean [m/s]
+
+  /// Diameter of a particle of the mean volume [m].
+  double typical() const;
+};
+
+/// The kinds of the case in the order of its groups. Draws all diameters and reads files of particles.
+std::vector<BodyKind> body_kinds(const Case& c);
+
+}  // namespace scree

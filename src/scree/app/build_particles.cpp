@@ -1,0 +1,82 @@
+#include "scree/app/build_particles.h"
+
+#include "scree/app/build_materials.h"
+#include "scree/particles/insert_table.h"
+
+namespace scree {
+namespace {
+
+SizeDistribution sizes_of(const SizeKeys& keys) {
+  using Kind = SizeDistribution::Kind;
+  SizeDistribution sizes;
+  sizes.kind = keys.distribution == "classes"     ? Kind::classes
+               : keys.distribution == "uniform"   ? Kind::uniform
+               : keys.distribution == "normal"    ? Kind::normal
+               : keys.distribution == "lognormal" ? Kind::lognormal
+                                                  : Kind::single;
+  sizes.value = keys.value;
+  sizes.diameters = keys.diameters;
+  sizes.fractions = keys.fractions;
+  sizes.mean = keys.mean;
+  sizes.deviation = keys.deviation;
+  sizes.min = keys.min;
+  sizes.max = keys.max;
+  return sizes;
+}
+
+void place(ParticleGroup& group, const ParticleKeys& keys, const DomainKeys& domain) {
+  using Placement = ParticleGroup::Placement;
+  group.placement = keys.insert == "lattice"  ? Placement::lattice
+                    : keys.insert == "random" ? Placement::random
+                                              : Placement::given;
+  const bool whole_domain = keys.region_min == keys.region_max;
+  group.region_min = whole_domain ? domain.min : keys.region_min;
+  group.region_max = whole_domain ? domain.max : keys.region_max;
+  group.count = keys.count;
+  group.solid_fraction = keys.solid_fraction;
+  group.spacing = keys.spacing;
+  group.jitter = keys.jitter;
+  group.attempts = keys.attempts;
+  if (keys.insert == "file") group.given = read_particle_table(keys.file);
+  if (keys.insert == "positions")
+    for (const Vec3& x : keys.positions) group.given.push_back({x, {}, {}, {}});
+}
+
+ParticleGroup group_of(const Case& c, const ParticleKeys& keys) {
+  using Start = ParticleGroup::Start;
+  ParticleGroup group;
+  group.name = keys.name;
+  group.material = material_index(c, keys.material);
+  group.density = c.materials[group.material].density;
+  group.sizes = sizes_of(keys.diameter);
+  group.effect_gap = keys.effect_gap;
+  group.free = keys.motion == "free";
+  place(group, keys, c.domain);
+  group.start = keys.velocity.type == "random"  ? Start::random
+                : keys.velocity.type == "fluid" ? Start::fluid
+                                                : Start::given;
+  group.velocity = keys.velocity.value;
+  group.velocity_deviation = keys.velocity.deviation;
+  group.angular_velocity = keys.angular_velocity;
+  return group;
+}
+
+}  // namespace
+
+std::vector<ParticleGroup> build_groups(const Case& c) {
+  std::vector<ParticleGroup> groups;
+  for (const ParticleKeys& keys : c.particles) groups.push_back(group_of(c, keys));
+  return groups;
+}
+
+Particles build_particles(const Case& c, const Domain& domain, const Walls& walls, const FluidVelocity& fluid) {
+  InsertionSetting setting;
+  setting.domain = domain;
+  setting.walls = &walls;
+  setting.seed = c.simulation.seed;
+  setting.max_overlap = c.simulation.max_overlap;
+  setting.fluid = fluid;
+  return insert_particles(build_groups(c), setting);
+}
+
+}  // namespace scree

@@ -1,0 +1,20 @@
+// From the particle groups of a case to its particles.
+#pragma once
+
+#include <vector>
+
+#include "scree/data/domain.h"
+#include "scree/data/walls.h"
+#include "scree/input/case.h"
+#include "scree/particles/insert.h"
+
+namespace scree {
+
+/// The groups of the case in its order; files of positions are read. A region that is left out is the domain.
+std::vector<ParticleGroup> build_groups(const Case& c);
+
+/// The particles of the case at time 0. `fluid` is asked for the velocities of groups that start with it.
+/// Throws InputError as insert_particles() does.
+Particles build_particles(const Case& c, const Domain& domain, const Walls& walls, const FluidVelocity& fluid);
+
+}  // namespace scree

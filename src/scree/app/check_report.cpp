@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "scree/app/derived.h"
+
+namespace scree {
+namespace {
+
+enum class Verdict { none, ok, warning, refused };
+
+struct Line {
+  std::string label, value;
+  Verdict verdict = Verdict::none;
+  std::string remedy;
+};
+
+using Lines = std::vector<Line>;
+
+Verdict warn_if(bool bad) { return bad ? Verdict::warning : Verdict::ok; }
+
+/// Bytes with a decimal prefix: "12.3 MB".
+std::string size_text(double bytes) {
+  for (const char* unit : {"B", "kB", "MB", "GB"}) {
+    if (bytes < 999.5) return fmt::format("{:.3g} {}", bytes, unit);
+    bytes /= 1000;
+  }
+  return fmt::format("{:.3g} TB", bytes);
+}
+
+std::string grouped(double whole) {
+  std::string digits = fmt::format("{:.0f}", whole);
+  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), 1, ' ');
+  return digits;
+}
+
+void say_particles(const Derived& d, Lines& lines) {
+  for (const BodyKind& kind : d.kinds) {
+    const std::string size = kind.smallest == kind.largest
+                                 ? fmt::format("diameter {:.4g} m", kind.smallest)
+                                 : fmt::format("diameters {:.4g} to {:.4g} m", kind.smallest, kind.largest);
+    lines.push_back(
+        {fmt::format("particles '{}'", kind.name),
+         fmt::format("{}, {}{}", grouped(static_cast<double>(kind.count)), size, kind.free ? "" : ", infinite mass"),
+         Verdict::none, ""});
+  }
+  const double fraction = d.cost.solid_fraction;
+  lines.push_back({"solid fraction of the domain", fmt::format("{:.4g} %", 100 * fraction), warn_if(fraction > 0.64),
+                   "equal spheres pack to about 64 % at random; enlarge the domain or place fewer particles"});
+}
+
+Verdict steps_verdict(double steps) {
+  if (steps < fewest_steps_per_contact) return Verdict::refused;
+  return warn_if(steps < few_steps_per_contact);
+}
+
+void say_step(const Case& c, const DerivedStep& s, Lines& lines) {
+  lines.push_back({"top speed", fmt::format("{:.4g} m/s ({})", s.top_speed, s.top_speed_source), Verdict::none, ""});
+  if (std::isnan(s.time_step)) {
+    lines.push_back({"time step", "auto has no contact to go by", Verdict::refused, "give simulation.time_step"});
+    return;
+  }
+  lines.push_back(
+      {"time step", fmt::format("{:.4g} s ({})", s.time_step, s.automatic ? "auto" : "given"), Verdict::none, ""});
+  lines.push_back({"steps of the run", grouped(s.steps), Verdict::none, ""});
+  if (std::isfinite(s.contact_time)) {
+    lines.push_back({"shortest contact", fmt::format("{:.4g} s, {}", s.contact_time, s.shortest), Verdict::none, ""});
+    lines.push_back({"steps per contact", fmt::format("{:.3g}", s.steps_per_contact),
+                     steps_verdict(s.steps_per_contact),
+                     fmt::format("use a time step of at most {:.3g} s (25 steps), or \"auto\"", s.contact_time / 25)});
+  }
+  if (s.overlap > 0)
+    lines.push_back({"overlap at top speed", fmt::format("{:.3g} % of the radius, {}", 100 * s.overlap, s.deepest),
+                     warn_if(s.overlap > c.simulation.max_overlap),
+                     fmt::format("the run stops beyond {:g} %: use stiffer materials, lower speeds, or raise "
+                                 "simulation.max_overlap",
+                                 100 * c.simulation.max_overlap)});
+  if (std::isfinite(s.rayleigh_time)) {
+    const double fraction = s.time_step / s.rayleigh_time;
+    lines.push_back(
+        {"Rayleigh time step", fmt::format("{:.4g} s; the step is {:.3g} % of it", s.rayleigh_time, 100 * fraction),
+         warn_if(fraction > 0.4), fmt::format("use a time step of at most {:.3g} s", 0.4 * s.rayleigh_time)});
+  }
+}
+
+void say_fluid(const Case& c, const Derived& d, Lines& lines) {
+  const DerivedFluid& f = d.fluid;
+  if (!std::isfinite(f.relaxation_time)) return;
+  const double ratio = d.step.time_step / f.relaxation_time;
+  const bool exact = c.simulation.integrator != "explicit";
+  lines.push_back({"drag relaxation time",
+                   fmt::format("{:.4g} s; the step is {:.3g} % of it", f.relaxation_time, 100 * ratio),
+                   warn_if(!exact && ratio > 1),
+                   "explicit drag needs a step below the relaxation time; use integrator = \"leapfrog\""});
+  const bool stokes = c.flow.drag == "stokes";
+  lines.push_back({"particle Reynolds number", fmt::format("up to {:.3g}", f.reynolds),
+                   warn_if(f.reynolds > (stokes ? 1.0 : 2e5)),
+                   stokes ? "Stokes drag holds well below 1; use drag = \"schiller_naumann\""
+                          : "above 2e5 the boundary layer turns turbulent and the drag drops"});
+  if (f.stokes)
+    lines.push_back(
+        {"Stokes number",
+         fmt::format("{:.3g} (mean flow {:.4g} m/s over {:.4g} m)", *f.stokes, f.flow_speed, f.stokes_length),
+         Verdict::none, ""});
+}
+
+void say_cohesion(const DerivedCohesion& cohesion, Lines& lines) {
+  lines.push_back(
+      {"cohesion of", fmt::format("{}, reduced mass {:.4g} kg", cohesion.what, cohesion.mass), Verdict::none, ""});
+  if (cohesion.stickiness)
+    lines.push_back({"stickiness number", fmt::format("{:.4g} at {:.4g} m/s", *cohesion.stickiness, cohesion.speed),
+                     Verdict::none, ""});
+  if (cohesion.pull_off)
+    lines.push_back({"pull-off force", fmt::format("{:.4g} N", *cohesion.pull_off), Verdict::none, ""});
+  if (cohesion.sticking_speed) {
+    const bool always = std::isinf(*cohesion.sticking_speed);
+    lines.push_back({"they stick below", always ? "any speed" : fmt::format("{:.4g} m/s", *cohesion.sticking_speed),
+                     warn_if(always), "keep cohesion_stiffness below the normal stiffness"});
+  }
+}
+
+void say_cost(const DerivedCost& cost, Lines& lines) {
+  lines.push_back(
+      {"memory",
+       fmt::format("{} ({:.0f} B per particle, {:.0f} B per pair, about {:.2g} pairs per particle)",
+                   size_text(cost.memory), cost.bytes_per_particle, cost.bytes_per_pair, cost.pairs_per_particle),
+       Verdict::none, ""});
+  lines.push_back({"disk", fmt::format("{} for {} frames and two checkpoints", size_text(cost.disk), cost.frames),
+                   Verdict::none, ""});
+}
+
+std::string word(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::ok:
+      return "ok";
+    case Verdict::warning:
+      return "warning";
+    case Verdict::refused:
+      return "refused";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+std::string check_report(const Case& c, const Derived& d) {
+  Lines lines;
+  say_particles(d, lines);
+  say_step(c, d.step, lines);
+  say_fluid(c, d, lines);
+  if (d.cohesion) say_cohesion(*d.cohesion, lines);
+  say_cost(d.cost, lines);
+  std::size_t width = 0;
+  for (const Line& line : lines) width = std::max(width, line.label.size());
+  std::string text = fmt::format("{}\n\n", c.simulation.title.empty() ? c.path : c.simulation.title);
+  Verdict worst = Verdict::ok;
+  for (const Line& line : lines) {
+    text += fmt::format("  {:7}  {:{}}  {}\n", word(line.verdict), line.label, width, line.value);
+    if (line.verdict >= Verdict::warning) text += fmt::format("           {:{}}  = help: {}\n", "", width, line.remedy);
+    worst = std::max(worst, line.verdict);
+  }
+  return text + (worst == Verdict::refused   ? "\nThe case would be refused.\n"
+                 : worst == Verdict::warning ? "\nThe case can be run; mind the warnings.\n"
+                                             : "\nThe case can be run.\n");
+}
+
+}  // namespace scree

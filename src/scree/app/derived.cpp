@@ -1,0 +1,179 @@
+#include "scree/app/derived.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scree/app/build_materials.h"
+#include "scree/app/encounters.h"
+#include "scree/app/speed_estimate.h"
+#include "scree/base/error.h"
+#include "scree/data/particles.h"
+#include "scree/particles/contacts.h"
+#include "scree/physics/contact/collision_time.h"
+
+namespace scree {
+namespace {
+
+constexpr double pi = 3.141592653589793;
+
+double extent(const Case& c, int axis) { return c.domain.max[axis] - c.domain.min[axis]; }
+
+double shortest_rayleigh_time(const Case& c, const std::vector<BodyKind>& kinds) {
+  double shortest = std::numeric_limits<double>::infinity();
+  if (c.contact.laws.normal != SC_NORMAL_HERTZ) return shortest;
+  for (const BodyKind& kind : kinds) {
+    const MaterialKeys& m = c.materials[kind.material];
+    if (!kind.free || !m.young || !m.poisson) continue;
+    const double shear = *m.young / (2 * (1 + *m.poisson));
+    shortest = std::min(shortest, sc_rayleigh_time(0.5 * kind.smallest, kind.density, shear, *m.poisson));
+  }
+  return shortest;
+}
+
+DerivedStep derive_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds) {
+  DerivedStep out;
+  const TopSpeed top = top_speed(c, kinds);
+  out.top_speed = top.value;
+  out.top_speed_source = top.source;
+  for (const Encounter& e : encounters(c, materials, kinds)) {
+    const double time = contact_time(e, c.contact.laws, top.value);
+    if (time < out.contact_time) {
+      out.contact_time = time;
+      out.shortest = e.what;
+    }
+    const double overlap = overlap_fraction(e, c.contact.laws, top.value);
+    if (overlap > out.overlap) {
+      out.overlap = overlap;
+      out.deepest = e.what;
+    }
+  }
+  out.rayleigh_time = shortest_rayleigh_time(c, kinds);
+  out.automatic = !c.simulation.time_step;
+  if (c.simulation.time_step)
+    out.time_step = *c.simulation.time_step;
+  else if (std::isfinite(out.contact_time))
+    out.time_step = out.contact_time / c.simulation.steps_per_contact;
+  else if (std::isfinite(out.rayleigh_time))
+    out.time_step = 0.2 * out.rayleigh_time;
+  out.steps_per_contact = out.contact_time / out.time_step;
+  out.steps = std::ceil(c.simulation.end / out.time_step * (1 - 1e-12));
+  return out;
+}
+
+/// The length over which the flow changes: the side of a vortex cell of Taylor-Green, else the shortest side of the
+/// domain [m].
+double flow_length(const Case& c) {
+  if (c.flow.type == "taylor_green") return pi / std::abs(c.flow.wavenumber);
+  return std::min({extent(c, 0), extent(c, 1), extent(c, 2)});
+}
+
+DerivedFluid derive_fluid(const Case& c, const std::vector<BodyKind>& kinds, double top) {
+  DerivedFluid out;
+  if (c.flow.type == "none" || c.flow.drag == "none") return out;
+  const FlowSpeeds flow = flow_speeds(c);
+  out.flow_speed = flow.mean;
+  const BodyKind* most = nullptr;
+  for (const BodyKind& kind : kinds) {
+    if (!kind.free) continue;
+    if (!most || kind.count > most->count) most = &kind;
+    out.relaxation_time = std::min(out.relaxation_time, relaxation_time(c, kind.density, kind.smallest));
+    const double fastest = std::max(flow.fastest, top);
+    out.reynolds = std::max(out.reynolds, c.flow.density * fastest * kind.largest / c.flow.viscosity);
+  }
+  if (!most || flow.mean == 0) return out;
+  out.stokes_length = flow_length(c);
+  out.stokes = relaxation_time(c, most->density, most->typical()) * flow.mean / out.stokes_length;
+  return out;
+}
+
+std::optional<DerivedCohesion> derive_cohesion(const Case& c, const Materials& materials,
+                                               const std::vector<BodyKind>& kinds, double speed) {
+  const sc_laws& laws = c.contact.laws;
+  const Encounter e = typical_encounter(c, materials, kinds);
+  if (laws.cohesion == SC_COHESION_NONE || e.what.empty()) return {};
+  DerivedCohesion out;
+  out.what = e.what;
+  out.mass = e.mass;
+  out.speed = speed;
+  if (laws.cohesion == SC_COHESION_JKR) {
+    out.pull_off = pull_off_force(e.law.adhesion, e.radius);
+    out.sticking_speed = adhesive_sticking_speed(e.law.adhesion, e.radius, e.law.young, e.mass);
+  } else if (laws.normal != SC_NORMAL_HERTZ) {
+    out.stickiness = stickiness_number(cohesive_impact(e, laws), speed);
+    out.sticking_speed = sticking_speed(cohesive_impact(e, laws));
+  }
+  return out;
+}
+
+/// Candidates listed per particle, each pair once: centres within 1.3 diameters of each other. What lies at rest under
+/// gravity is taken as packed.
+double expected_pairs(const Case& c, double solid_fraction) {
+  const double packed = c.gravity.type == "none" ? solid_fraction : std::max(0.6, solid_fraction);
+  return 4 * packed * 1.3 * 1.3 * 1.3;
+}
+
+DerivedCost derive_cost(const Case& c, const std::vector<BodyKind>& kinds, double steps) {
+  DerivedCost out;
+  double volume = 0;
+  for (const BodyKind& kind : kinds) {
+    out.particles += kind.count;
+    volume += kind.volume;
+  }
+  const double n = static_cast<double>(out.particles);
+  out.solid_fraction = volume / (extent(c, 0) * extent(c, 1) * extent(c, 2));
+  const bool rolls = c.contact.laws.rolling != SC_ROLLING_NONE || c.contact.laws.twisting != SC_TWISTING_NONE;
+  out.bytes_per_particle = static_cast<double>(Particles::bytes_per_particle());
+  out.bytes_per_pair = static_cast<double>(bytes_per_pair(rolls));
+  out.pairs_per_particle = expected_pairs(c, out.solid_fraction);
+  out.memory = n * (out.bytes_per_particle + out.pairs_per_particle * out.bytes_per_pair);
+  const double interval = c.output.frames;
+  out.frames = steps == 0 ? 1 : interval > 0 ? static_cast<std::uint64_t>(c.simulation.end / interval) + 1 : 2;
+  // Id, position, velocity, angular velocity, diameter, mass, material, group; label and size of the agglomerate.
+  const double per_frame = n * (104.0 + (c.analysis.agglomerates ? 12.0 : 0.0));
+  out.disk = static_cast<double>(out.frames) * per_frame + 2 * out.memory;
+  return out;
+}
+
+/// Speed at which a typical impact is judged: that of the flow, which sets particles in motion, else the fastest.
+double typical_speed(const DerivedFluid& fluid, const DerivedStep& step) {
+  return fluid.flow_speed > 0 && std::isfinite(fluid.relaxation_time) ? fluid.flow_speed : step.top_speed;
+}
+
+}  // namespace
+
+Derived derive(const Case& c) {
+  const Materials materials = build_materials(c);
+  Derived out;
+  out.kinds = body_kinds(c);
+  out.step = derive_step(c, materials, out.kinds);
+  out.fluid = derive_fluid(c, out.kinds, out.step.top_speed);
+  out.cohesion = derive_cohesion(c, materials, out.kinds, typical_speed(out.fluid, out.step));
+  out.cost = derive_cost(c, out.kinds, out.step.steps);
+  return out;
+}
+
+double time_step_of(const Case& c, const Materials& materials) {
+  const DerivedStep step = derive_step(c, materials, body_kinds(c));
+  if (std::isnan(step.time_step))
+    throw InputError(
+        "simulation.time_step: \"auto\" has no contact to go by, as no two bodies of this case can meet\n"
+        "  = help: give simulation.time_step in seconds");
+  if (step.steps_per_contact < fewest_steps_per_contact)
+    throw InputError(fmt::format(
+        "simulation: a time step of {:.4g} s gives {:.3g} steps per contact of {}, fewer than {:g}\n"
+        "  = help: use a time step of at most {:.3g} s (25 steps per contact), or \"auto\"",
+        step.time_step, step.steps_per_contact, step.shortest, fewest_steps_per_contact, step.contact_time / 25));
+  return step.time_step;
+}
+
+double stickiness_at(const Case& c, const Materials& materials, double speed) {
+  if (c.contact.laws.cohesion != SC_COHESION_LINEAR || !std::isfinite(speed))
+    return std::numeric_limits<double>::quiet_NaN();
+  const Encounter e = typical_encounter(c, materials, body_kinds(c));
+  if (e.what.empty()) return std::numeric_limits<double>::quiet_NaN();
+  return stickiness_number(cohesive_impact(e, c.contact.laws), speed);
+}
+
+}  // namespace scree

@@ -1,0 +1,88 @@
+// Numbers that follow from a case before it is run: time step, depth of contacts, Reynolds, Stokes and stickiness
+// numbers, memory. `scree check` prints them with a verdict each.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scree/app/body_kinds.h"
+#include "scree/app/sticking.h"
+#include "scree/data/materials.h"
+#include "scree/input/case.h"
+
+namespace scree {
+
+/// Fewer time steps per contact than this are refused, or worth a warning.
+inline constexpr double fewest_steps_per_contact = 10, few_steps_per_contact = 15;
+
+/// Steps and contacts.
+struct DerivedStep {
+  bool automatic = false;
+  double time_step = std::numeric_limits<double>::quiet_NaN();    // [s]; NaN if "auto" has nothing to go by
+  double contact_time = std::numeric_limits<double>::infinity();  // shortest [s]; infinite without contacts
+  double steps_per_contact = std::numeric_limits<double>::infinity();
+  std::string shortest;  // the encounter with the shortest contact
+  double overlap = 0;    // deepest at top speed, over the smaller radius
+  std::string deepest;
+  double rayleigh_time = std::numeric_limits<double>::infinity();  // shortest [s]; infinite without elastic moduli
+  double steps = 0;                                                // of the run
+  double top_speed = 0;                                            // [m/s]
+  std::string top_speed_source;
+};
+
+/// Particles and fluid. Without drag the times are infinite and the numbers zero.
+struct DerivedFluid {
+  double flow_speed = 0;                                             // mean [m/s]
+  double relaxation_time = std::numeric_limits<double>::infinity();  // Stokes, of the quickest particle [s]
+  double reynolds = 0;                                               // of the largest particle at the fastest speed
+  std::optional<double> stokes;                                      // of a particle of the mean volume
+  double stokes_length = 0;                                          // length of the flow that it was taken with [m]
+};
+
+/// Cohesion of a typical encounter; empty where the law has none.
+struct DerivedCohesion {
+  std::string what;                      // the encounter
+  double mass = 0, speed = 0;            // reduced mass [kg] and speed [m/s] of the stickiness number
+  std::optional<double> stickiness;      // the report's number
+  std::optional<double> sticking_speed;  // exact, or of Thornton and Ning [m/s]
+  std::optional<double> pull_off;        // JKR [N]
+};
+
+/// What the run costs.
+struct DerivedCost {
+  std::uint64_t particles = 0;
+  double solid_fraction = 0;  // of the domain
+  double bytes_per_particle = 0, bytes_per_pair = 0;
+  double pairs_per_particle = 0;  // estimate of the candidates listed
+  double memory = 0;              // [bytes]
+  std::uint64_t frames = 0;
+  double disk = 0;  // frames and checkpoints [bytes]
+};
+
+struct Derived {
+  std::vector<BodyKind> kinds;
+  DerivedStep step;
+  DerivedFluid fluid;
+  std::optional<DerivedCohesion> cohesion;
+  DerivedCost cost;
+};
+
+/// All numbers of a case. Throws InputError if its materials or particles cannot be made.
+Derived derive(const Case& c);
+
+/// The time step of the run [s]: simulation.time_step, or the shortest contact time over simulation.steps_per_contact,
+/// over every pair of materials and sizes that the case can create, walls included. Hertz counts with the top speed; if
+/// nothing is known to move, the step is a fifth of the Rayleigh time.
+/// Throws InputError when a contact would take fewer than ten steps, or when "auto" has no contact to go by.
+double time_step_of(const Case& c, const Materials& materials);
+
+/// Stickiness number of a typical encounter of the case at `speed` [m/s]; NaN without linear cohesion or without speed.
+double stickiness_at(const Case& c, const Materials& materials, double speed);
+
+/// The text of `scree check`: every number with a verdict (ok, warning, refused) and a remedy where it is not ok.
+std::string check_report(const Case& c, const Derived& derived);
+
+}  // namespace scree

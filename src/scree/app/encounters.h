@@ -1,0 +1,45 @@
+// Every way in which two bodies of a case may meet, and how long and how deep such an impact is.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scree/app/body_kinds.h"
+#include "scree/app/sticking.h"
+#include "scree/data/materials.h"
+#include "scree/input/case.h"
+
+namespace scree {
+
+/// Two bodies that may meet, each the smallest or the largest of its kind, or a body and a wall.
+struct Encounter {
+  std::string what;  // in words
+  sc_pair_law law{};
+  double restitution = 1;
+  double mass = 0;            // reduced mass [kg]
+  double radius = 0;          // effective radius R* [m]
+  double smaller_radius = 0;  // [m]
+  double reach = 0;           // how far apart the bodies are when linear cohesion begins [m]
+};
+
+/// The extremes of every pair of kinds and of every kind with every wall; pairs of two bodies of infinite mass are left
+/// out.
+std::vector<Encounter> encounters(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds);
+
+/// The encounter of two particles of the mean volume of the most numerous kind with free particles; a second kind
+/// takes part if that one has a single particle, a wall if there is no other. `what` is empty if nothing can meet.
+Encounter typical_encounter(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds);
+
+/// How long the bodies touch when they meet with `speed` [s]. Linear laws: half a damped period, whatever the speed.
+/// Hertz: 2.94 delta_max / v. With adhesion at most half the period of the bond, whose stiffness is 6/5 E* a_0 at the
+/// contact radius a_0 = (9 pi W R*^2 / (2 E*))^(1/3) of no force. Infinite for Hertz at no speed.
+double contact_time(const Encounter& e, const sc_laws& laws, double speed);
+
+/// Overlap over the smaller radius when they meet with `speed`, from energy alone: dashpots make it smaller. Infinite
+/// if linear cohesion is as stiff as the bodies.
+double overlap_fraction(const Encounter& e, const sc_laws& laws, double speed);
+
+/// The encounter as an impact under linear cohesion.
+CohesiveImpact cohesive_impact(const Encounter& e, const sc_laws& laws);
+
+}  // namespace scree
