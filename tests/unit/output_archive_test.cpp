@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/lsan_interface.h>
+#endif
 
 #include <bit>
 #include <fstream>
@@ -183,7 +186,18 @@ struct DiskLimit {
   ~DiskLimit() { ::setrlimit(RLIMIT_FSIZE, &old); }
 };
 
+// The HDF5 library keeps a few hundred bytes of each file whose closing failed; the leak checker must not count them.
+#if defined(__SANITIZE_ADDRESS__)
+using LeaksOfLibrary = __lsan::ScopedDisabler;
+#else
+struct LeaksOfLibrary {
+  ~LeaksOfLibrary() {}
+};
+#endif
+
+// Also a test of the end of the program: without precautions the HDF5 library crashes in its exit handler.
 TEST(ArchiveFile, FullDiskKeepsTheOldCheckpoint) {
+  const LeaksOfLibrary expected;
   const test::TemporaryDirectory directory;
   const fs::path path = directory / "a.h5";
   write_archive(path, sample({1, 2, 3, 4}));
@@ -200,6 +214,8 @@ TEST(ArchiveFile, FullDiskKeepsTheOldCheckpoint) {
     }
   }
   EXPECT_EQ(read_text_file(path), before);
+  write_archive(path, sample(large));
+  EXPECT_EQ(read_archive(path).get<double>("motion", 4).size(), large.size());
   EXPECT_EQ(std::distance(fs::directory_iterator(directory.path()), fs::directory_iterator{}), 1);
 }
 

@@ -50,7 +50,10 @@ void write_atomically(const fs::path& path, const std::function<void(const fs::p
     sync_to_disk(temporary, O_RDONLY);
     if (::rename(temporary.c_str(), path.c_str()) != 0) refuse(path, errno);
   } catch (...) {
-    ::unlink(temporary.c_str());
+    // Emptied first: a library may still hold the file open, and its space may be what the next write needs.
+    std::error_code ignored;
+    fs::resize_file(temporary, 0, ignored);
+    fs::remove(temporary, ignored);
     throw;
   }
   const fs::path directory = path.parent_path();

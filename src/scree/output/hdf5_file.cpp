@@ -80,8 +80,16 @@ hid_t memory_type(Element element) {
   return H5I_INVALID_HID;
 }
 
-/// The library prints every error itself unless told not to.
-void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// Two habits of the library that a program with its own error handling must switch off before the first use: it prints
+/// every error, and at the program's exit it closes files again whose closing failed (full disk), which crashes
+/// (1.10.8).
+void prepare_library() {
+  static const bool prepared = [] {
+    H5dont_atexit();
+    return H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+  }();
+  static_cast<void>(prepared);
+}
 
 /// The innermost reason of the library's last failure; where the system refused, the system's own words.
 std::string reason() {
@@ -135,7 +143,7 @@ std::int64_t Hdf5File::check(std::int64_t result, const std::string& name) const
 }
 
 Hdf5File Hdf5File::create(const std::filesystem::path& path, std::uint64_t user_block) {
-  silence();
+  prepare_library();
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   if (user_block > 0) H5Pset_userblock(creation, user_block);
@@ -145,7 +153,7 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path, std::uint64_t user_
 }
 
 Hdf5File Hdf5File::open(const std::filesystem::path& path) {
-  silence();
+  prepare_library();
   Hdf5File file(path, H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), false);
   file.check(file.handle_, "");
   return file;
