@@ -169,7 +169,7 @@ SC_FN sc_contact_result sc_contact_act(sc_laws laws, sc_pair_law p, sc_touch t, 
   out.action.loss_normal = push.loss;
   out.action.loss_sliding = R(0);
   out.action.loss_rolling = R(0);
-  out.action.touching = laws.cohesion == SC_COHESION_LINEAR ? (t.reach > R(0)) | n.joined : n.joined;
+  out.action.touching = laws.cohesion == SC_COHESION_LINEAR ? t.reach > R(0) : n.joined;
   out.state = s;
   out.state.bonded = (jkr ? (n.joined ? R(1) : R(0)) : R(0)) + (slid ? R(2) : R(0));
   out = sc_resist_sliding(laws, p, t, time, g, out);

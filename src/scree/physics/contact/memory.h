@@ -30,18 +30,19 @@ SC_FN sc_contact_memory sc_remember(sc_touch t, sc_contact_time time, sc_contact
   sc_contact_memory out;
   out.approach = sc_dot(t.velocity, t.normal);
   const real advance = out.approach * time.dt;
-  out.begins = (t.overlap > R(0)) & (t.overlap < advance) & !bonded;
+  // Both 0 < overlap and overlap < advance; one comparison, because loops with mixed flags do not vectorise.
+  out.begins = (bonded ? R(0) : SC_MIN(t.overlap, advance - t.overlap)) > R(0);
   const sc_vec turned = sc_reject(s.slide, t.normal);
   const real before = sc_dot(s.slide, s.slide);
   const real after = sc_dot(turned, turned);
   const real length = R(3) * after + before;
   const real closing = SC_MIN(advance, depth);
   const real growth = growing ? R(4) * depth - closing : R(1);
-  const real both = length * growth;
-  const real inverse = R(1) / (out.begins ? out.approach : both);
-  const int kept = (both > SC_TINY) & !out.begins;
-  out.span = out.begins ? t.overlap * inverse : time.dt;
-  out.weight = out.begins ? (out.span + time.kick - time.lead) * (R(1) / time.kick) : R(1);
+  const real both = out.begins ? R(0) : length * growth;
+  const real inverse = R(1) / (both + (out.begins ? out.approach * time.kick : R(0)));
+  const int kept = both > SC_TINY;
+  out.span = out.begins ? t.overlap * inverse * time.kick : time.dt;
+  out.weight = out.begins ? (t.overlap + out.approach * (time.kick - time.lead)) * inverse : R(1);
   out.slide = sc_scale(kept ? (after + R(3) * before) * growth * inverse : R(0), turned);
   const real fresh = t.overlap < depth ? R(1) : R(1.0 / 3.0);
   const real held = kept ? (R(4) * depth - R(3) * closing) * length * inverse : (out.begins ? fresh : R(1));

@@ -15,17 +15,25 @@ typedef struct {
   real force;   // E* root^2 length [N]
 } sc_jkr;
 
-/// No adhesion at all counts as 1e-20 E* R, which no force shows: the law is then that of Hertz.
-SC_FN sc_jkr sc_jkr_scales(sc_pair_law p, real radius) {
+SC_FN sc_jkr sc_jkr_scales_of(real young, real adhesion, real radius) {
   sc_jkr out;
-  const real adhesion = SC_MAX(p.adhesion, R(1e-20) * p.young * radius);
-  out.q = SC_SQRT(R(6.283185307179586477) * adhesion / p.young);
+  out.q = SC_SQRT(R(6.283185307179586477) * adhesion / young);
   out.root = sc_cbrt(out.q * radius);
   const real square = out.root * out.root;
   out.length = square * square / radius;
   out.broken = R(-0.47247039371057742) * out.length;
-  out.force = p.young * square * out.length;
+  out.force = young * square * out.length;
   return out;
+}
+
+/// The scales of a pair. No adhesion at all counts as 1e-20 E* R, which no force shows: the law is then that of Hertz.
+SC_FN sc_jkr sc_jkr_scales(sc_pair_law p, real radius) {
+  return sc_jkr_scales_of(p.young, SC_MAX(p.adhesion, R(1e-20) * p.young * radius), radius);
+}
+
+/// The overlap, negative, at which the neck breaks: -3/4 (pi^2 W^2 R/E*^2)^(1/3) [m].
+SC_FN real sc_jkr_detachment(real young, real adhesion, real radius) {
+  return sc_jkr_scales_of(young, adhesion, radius).broken;
 }
 
 /// Largest root of x^4 - x = d, d >= d_min, to round-off where it is simple.
