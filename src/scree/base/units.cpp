@@ -59,6 +59,8 @@ std::string suggest_unit(std::string_view name) {
   }
   std::string best = nearest(name, names);
   for (const UnitRow& row : unit_table())
+    if (best.empty() && name.size() >= 3 && row.name.starts_with(name)) best = row.symbol;
+  for (const UnitRow& row : unit_table())
     if (best == row.name) best = row.symbol;
   return best.empty() ? "see 'scree explain units'" : fmt::format("did you mean '{}'?", best);
 }

@@ -54,6 +54,7 @@ struct Binder {
   }
 
   void missing(const Section& section, const Key& key, const std::string& path) {
+    origins.failed.insert(join(path, key.name));
     std::string why;
     for (const Condition& c : key.conditions)
       why += fmt::format("{} {}", why.empty() ? ", needed with" : " and", in_words(c));
@@ -63,10 +64,11 @@ struct Binder {
          fmt::format("add '{}': {}   (scree explain {})", key.name, expected(key), full_name(section, key))});
   }
 
-  void without_effect(const Section& section, const Key& key, const std::string& path) {
+  /// Reports a key that is not read, or drops its value if the command line switched it off on purpose.
+  void without_effect(const Section& section, const Key& key, const std::string& path, void* keys) {
     std::string needs;
     for (const Condition& c : key.conditions) {
-      if (origins.overridden(join(path, c.key))) return;  // the command line switched it off on purpose
+      if (origins.overridden(join(path, c.key))) return set_default(section, key, keys);
       needs += (needs.empty() ? "" : " and ") + in_words(c);
     }
     problems.push_back({"E150", origins.names.at(join(path, key.name)),
@@ -91,7 +93,7 @@ struct Binder {
     if (slot.shorthand.empty()) return wrong_kind(section, key, value, "a table");
     const Key& shorthand = *find(*slot.section, slot.shorthand);
     origins.values[join(path, shorthand.name)] = value.place;
-    return read_value(*slot.section, shorthand, value, inner, problems);
+    return read_value(*slot.section, shorthand, key.name, value, inner, problems);
   }
 
   bool nested_list(const Section& section, const Key& key, const NestedList& slot, const Value& value,
@@ -116,7 +118,7 @@ struct Binder {
       return nested(section, key, *slot, entry.value, key_path, keys);
     if (const auto* slot = std::get_if<NestedList>(&key.slot))
       return nested_list(section, key, *slot, entry.value, key_path, keys);
-    return read_value(section, key, entry.value, keys, problems);
+    return read_value(section, key, key.name, entry.value, keys, problems);
   }
 
   void absent(const Section& section, const Key& key, const std::string& path, void* keys) {
@@ -141,7 +143,7 @@ struct Binder {
       if (unsure) continue;
       const bool in_file = find(table, key.name) != nullptr;
       const bool in_force = applies(section, key, keys);
-      if (in_file && !in_force) without_effect(section, key, path);
+      if (in_file && !in_force) without_effect(section, key, path, keys);
       if (!in_file && in_force) absent(section, key, path, keys);
     }
   }
@@ -156,6 +158,7 @@ bool Origins::overridden(const std::string& path) const {
 
 Place Origins::place(const std::string& path) const {
   if (const auto found = values.find(path); found != values.end()) return found->second;
+  if (const auto found = headings.find(path); found != headings.end()) return found->second;
   for (std::string outer = path; !outer.empty();) {
     const std::size_t dot = outer.rfind('.');
     outer = dot == std::string::npos ? "" : outer.substr(0, dot);

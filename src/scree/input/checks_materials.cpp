@@ -31,6 +31,9 @@ std::vector<std::string> names_of(const std::vector<T>& items) {
 
 void material_exists(const Check& check, const std::string& path, const std::string& name) {
   const std::vector<std::string> names = names_of(check.c.materials);
+  if (names.empty() && !check.sound({"materials"})) return;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!check.sound({item_path("materials", i) + ".name"})) return;
   if (name.empty() || !check.sound({path}) || std::find(names.begin(), names.end(), name) != names.end()) return;
   std::string help = did_you_mean(name, names);
   if (help.empty()) help = "add it as [[materials]] with this name";
@@ -156,7 +159,7 @@ void property_and_law(const Check& check, const Property& p) {
     if (positive && !p.active && !check.origins.overridden(law))
       check.fail("E164", path, fmt::format("'{}' has no effect with the chosen laws of contact", p.key),
                  fmt::format("no law of contact reads it"),
-                 fmt::format("choose a law with {}, or remove '{}'   (scree explain {})", law, p.key, law));
+                 fmt::format("set {} to a law that reads it, or remove '{}'   (scree explain {})", law, p.key, law));
   };
   for (std::size_t i = 0; i < c.materials.size(); ++i)
     look(item_path("materials", i) + "." + p.key, c.materials[i].*p.material > 0);

@@ -56,6 +56,7 @@ void check_insertion(const Check& check, std::size_t index) {
 
 void check_flow(const Check& check) {
   const FlowKeys& f = check.c.flow;
+  if (f.type == "none") return;
   if (f.drag != "none" && f.viscosity == 0 && check.sound({"flow.viscosity", "flow.drag", "flow.type"}))
     check.fail("E163", "flow.drag", fmt::format("drag = '{}' needs the viscosity of the fluid", f.drag),
                "'viscosity' is missing", "add 'viscosity'   (scree explain flow.viscosity)");

@@ -95,6 +95,17 @@ bool applies(const Section& section, const Key& key, void* keys) {
   });
 }
 
+void set_default(const Section& section, const Key& key, void* keys) {
+  const std::shared_ptr<void> fresh = section.make();
+  std::visit(
+      [&](const auto& slot) {
+        using SlotType = std::decay_t<decltype(slot)>;
+        if constexpr (!std::is_same_v<SlotType, Nested> && !std::is_same_v<SlotType, NestedList>)
+          slot(keys) = slot(fresh.get());
+      },
+      key.slot);
+}
+
 std::string in_words(const Condition& condition) {
   if (condition.values == std::vector<std::string>{"true"}) return condition.key + " = true";
   return fmt::format("{} = {}", condition.key, quoted_list(condition.values));

@@ -153,6 +153,9 @@ std::string current_word(const Key& key, void* keys);
 /// Whether the key's conditions hold for the struct.
 bool applies(const Section& section, const Key& key, void* keys);
 
+/// Gives the key its default again.
+void set_default(const Section& section, const Key& key, void* keys);
+
 /// "gravity.type = 'uniform' or 'rotating'", the words of a condition.
 std::string in_words(const Condition& condition);
 

@@ -116,7 +116,8 @@ const Section& contact_section() {
            "collision, without and with a dashpot; history: spring with memory; mindlin: the same with Mindlin's "
            "stiffness")
            .one_of(
-               {"none", "sliding", "step_spring", "collision_spring", "collision_spring_damped", "history", "mindlin"}),
+               {"none", "sliding", "step_spring", "collision_spring", "collision_spring_damped", "history", "mindlin"})
+           .defaults_to("history; mindlin with normal = 'hertz'"),
        law("rolling", &sc_laws::rolling, "spring: spring, dashpot and slider that resist rolling")
            .one_of({"none", "spring"}),
        law("twisting", &sc_laws::twisting, "spring: spring, dashpot and slider that resist turning about the normal")

@@ -26,8 +26,11 @@ struct Outcome {
   std::vector<Problem> problems;
 };
 
-/// Defaults that are not constants: names by number, the whole domain as region, absolute file names.
+/// Defaults that are not constants: names by number, the whole domain as region, absolute file names, a tangential law
+/// that fits the normal one.
 void complete(Case& c, const Origins& origins) {
+  if (!origins.given("contact.tangential") && c.contact.laws.normal == SC_NORMAL_HERTZ)
+    c.contact.laws.tangential = SC_TANGENTIAL_MINDLIN;
   for (std::size_t i = 0; i < c.particles.size(); ++i) {
     ParticleKeys& p = c.particles[i];
     const std::string path = item_path("particles", i);

@@ -25,6 +25,7 @@ bool is_name(std::string_view text) {
 struct Reader {
   const Section& section;
   const Key& key;
+  const std::string& label;
   std::vector<Problem>& problems;
   bool formulas = false;  // texts are formulas of x, y, z, t
 
@@ -36,7 +37,7 @@ struct Reader {
   }
 
   bool wrong_kind(const Value& value, const std::string& wanted) {
-    return fail("E104", value, fmt::format("'{}' must be {}, not {}", key.name, wanted, kind_of(value)),
+    return fail("E104", value, fmt::format("'{}' must be {}, not {}", label, wanted, kind_of(value)),
                 "expected " + wanted);
   }
 
@@ -50,14 +51,14 @@ struct Reader {
       return fail("E121", value, fmt::format("'{}' is not a quantity: {}", text, result.problem->message), expects,
                   result.problem->help);
     if (!result.has_unit && !key.si_unit.empty())
-      return fail("E122", value, fmt::format("'{}' is in {}, but '{}' has no unit", key.name, key.si_unit, text),
-                  expects, fmt::format("write {} without quotes for {}, or a unit within them", text, key.si_unit));
+      return fail("E122", value, fmt::format("'{}' is in {}, but '{}' has no unit", label, key.si_unit, text), expects,
+                  fmt::format("write {} without quotes for {}, or a unit within them", text, key.si_unit));
     if (result.quantity.dimension != dimension_of(key.si_unit)) {
       const std::string unit = text.substr(std::min(text.find_first_not_of("+-.0123456789eE "), text.size()));
       if (key.si_unit.empty())
-        return fail("E120", value, fmt::format("'{}' has no unit, but '{}' is one", key.name, unit), expects);
+        return fail("E120", value, fmt::format("'{}' takes no unit, but '{}' is one", label, unit), expects);
       return fail("E120", value,
-                  fmt::format("'{}' is in {}, but '{}' is not convertible to it", key.name, key.si_unit, unit), expects,
+                  fmt::format("'{}' is in {}, but '{}' is not convertible to it", label, key.si_unit, unit), expects,
                   "scree explain units lists the units");
     }
     out = result.quantity.value;
@@ -65,12 +66,11 @@ struct Reader {
   }
 
   bool in_range(const Value& value, double x) {
-    if (!std::isfinite(x))
-      return fail("E131", value, fmt::format("'{}' must be finite", key.name), "not a finite number");
+    if (!std::isfinite(x)) return fail("E131", value, fmt::format("'{}' must be finite", label), "not a finite number");
     if (key.limits.contains(x)) return true;
     const std::string range = in_words(key.limits);
     const std::string unit = key.si_unit.empty() || range.empty() ? "" : " " + key.si_unit;
-    return fail("E130", value, fmt::format("'{}' must be {}{}, but is {}", key.name, range, unit, x),
+    return fail("E130", value, fmt::format("'{}' must be {}{}, but is {}", label, range, unit, x),
                 fmt::format("must be {}", range));
   }
 
@@ -111,13 +111,15 @@ struct Reader {
       x = static_cast<double>(*whole);
     else if (const auto* number = value.as<double>(); number != nullptr && *number == std::floor(*number))
       x = *number;
+    else if (number != nullptr)
+      return fail("E104", value, fmt::format("'{}' must be a whole number, not {}", label, *number),
+                  "expected a whole number");
     else
       return wrong_kind(value, "a whole number");
     if (x < 0)
-      return fail("E130", value, fmt::format("'{}' must not be negative, but is {}", key.name, x),
-                  "must be at least 0");
+      return fail("E130", value, fmt::format("'{}' must not be negative, but is {}", label, x), "must be at least 0");
     if (std::isfinite(x) && x > largest_whole && value.as<std::int64_t>() == nullptr)
-      return fail("E130", value, fmt::format("'{}' is too large for a whole number written like this", key.name),
+      return fail("E130", value, fmt::format("'{}' is too large for a whole number written like this", label),
                   "write all its digits");
     if (!in_range(value, x)) return false;
     out = value.as<std::int64_t>() != nullptr ? static_cast<std::uint64_t>(*value.as<std::int64_t>())
@@ -136,8 +138,8 @@ struct Reader {
     if (text == nullptr) return wrong_kind(value, expected(key));
     const auto found = std::find(key.choices.begin(), key.choices.end(), *text);
     if (found == key.choices.end())
-      return fail("E110", value, fmt::format("'{}' is not a choice of '{}'", *text, key.name),
-                  "expected " + expected(key), did_you_mean(*text, key.choices));
+      return fail("E110", value, fmt::format("'{}' is not a choice of '{}'", *text, label), "expected " + expected(key),
+                  did_you_mean(*text, key.choices));
     out = static_cast<std::size_t>(found - key.choices.begin());
     return true;
   }
@@ -154,7 +156,7 @@ struct Reader {
       out = std::to_string(*whole);
     else if (const auto* number = value.as<double>()) {
       if (!std::isfinite(*number))
-        return fail("E131", value, fmt::format("'{}' must be finite", key.name), "not a finite number");
+        return fail("E131", value, fmt::format("'{}' must be finite", label), "not a finite number");
       out = fmt::format("{}", *number);
     } else if (const auto* text = value.as<std::string>())
       out = *text;
@@ -173,11 +175,11 @@ struct Reader {
     const auto* text = value.as<std::string>();
     if (text == nullptr) return wrong_kind(value, "a text");
     if (text->find('\0') != std::string::npos)
-      return fail("E104", value, fmt::format("'{}' contains a zero byte", key.name), "unusable text");
+      return fail("E104", value, fmt::format("'{}' contains a zero byte", label), "unusable text");
     if (key.text == TextKind::name && !is_name(*text))
       return fail("E112", value, fmt::format("'{}' cannot be a name", *text), "a letter, then letters, digits, _ or -");
     if (key.is_required && text->empty())
-      return fail("E104", value, fmt::format("'{}' is empty", key.name), "expected " + expected(key));
+      return fail("E104", value, fmt::format("'{}' is empty", label), "expected " + expected(key));
     out = *text;
     return true;
   }
@@ -187,7 +189,7 @@ struct Reader {
     const auto* list = value.as<List>();
     if (list == nullptr) return wrong_kind(value, expected(key));
     if (list->size() != n)
-      return fail("E105", value, fmt::format("'{}' has {} elements instead of {}", key.name, list->size(), n),
+      return fail("E105", value, fmt::format("'{}' has {} elements instead of {}", label, list->size(), n),
                   "expected " + expected(key));
     bool good = true;
     for (std::size_t i = 0; i < n; ++i) good = read((*list)[i], out[i]) && good;
@@ -199,7 +201,7 @@ struct Reader {
     const auto* list = value.as<List>();
     if (list == nullptr) return wrong_kind(value, expected(key));
     if (list->empty() && key.is_required)
-      return fail("E105", value, fmt::format("'{}' is empty", key.name), "expected " + expected(key));
+      return fail("E105", value, fmt::format("'{}' is empty", label), "expected " + expected(key));
     out.assign(list->size(), T{});
     bool good = true;
     for (std::size_t i = 0; i < list->size(); ++i) good = read((*list)[i], out[i]) && good;
@@ -209,9 +211,9 @@ struct Reader {
 
 }  // namespace
 
-bool read_value(const Section& section, const Key& key, const Value& value, void* keys,
+bool read_value(const Section& section, const Key& key, const std::string& label, const Value& value, void* keys,
                 std::vector<Problem>& problems) {
-  Reader reader{section, key, problems, std::holds_alternative<Get<Expression3>>(key.slot)};
+  Reader reader{section, key, label, problems, std::holds_alternative<Get<Expression3>>(key.slot)};
   return std::visit(
       [&](const auto& slot) {
         using SlotType = std::decay_t<decltype(slot)>;

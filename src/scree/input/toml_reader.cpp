@@ -68,6 +68,8 @@ std::string cleaned(std::string_view description) {
 std::string syntax_help(std::string_view description) {
   if (description.find("expected a comment or whitespace") != std::string_view::npos)
     return "texts and numbers with a unit stand in quotes, as in \"1.2 mm\"";
+  if (description.find("parsing string") != std::string_view::npos)
+    return "a text ends with the quote it began with, on the same line";
   if (description.find("redefine") != std::string_view::npos) return "a key or table may be written once only";
   if (description.find("leading zeroes") != std::string_view::npos) return "write the number without leading zeros";
   return "the file is TOML: key = value, texts in quotes, lists in [ ], tables by [name]";
