@@ -1,0 +1,40 @@
+"""Draws a run of Scree: DIR/series.png from series.csv, and DIR/particles.png from the last frame.
+
+usage: plot.py DIR
+"""
+
+import argparse
+import pathlib
+import sys
+
+try:
+    import h5py
+    import matplotlib
+    import numpy as np
+except ImportError as missing:
+    sys.exit(f"plot.py: {missing}; install the packages python3-numpy, python3-h5py and python3-matplotlib")
+
+matplotlib.use("Agg")
+
+import plot_particles
+import plot_series
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("directory", type=pathlib.Path, help="a run directory")
+    directory = parser.parse_args().directory
+    pictures = []
+    if (directory / "series.csv").exists():
+        pictures.append(plot_series.draw(directory / "series.csv", directory / "series.png"))
+    frames = sorted((directory / "frames").glob("frame_*.h5"))
+    if frames:
+        pictures.append(plot_particles.draw(frames[-1], directory / "particles.png"))
+    if not any(pictures):
+        sys.exit(f"plot.py: '{directory}' holds neither rows in series.csv nor particles in frames/; is it a run directory?")
+    for picture in filter(None, pictures):
+        print(picture)
+
+
+if __name__ == "__main__":
+    main()

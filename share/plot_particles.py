@@ -1,0 +1,129 @@
+"""The particles of one frame as a picture, coloured by agglomerate where there are any, else by speed."""
+
+import h5py
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize
+from matplotlib.patches import Patch
+
+import spheres
+from plot_style import INK, si_scale
+
+DPI = 150
+SINGLE = np.array([0.80, 0.82, 0.85])
+
+
+def read_frame(path):
+    with h5py.File(path, "r") as file:
+        frame = {name: file["particles"][name][:] for name in file["particles"]}
+        for name in ("time", "domain_min", "domain_max"):
+            frame[name] = np.array(file.attrs[name], dtype=float)
+    return frame
+
+
+def colour_by_agglomerate(frame):
+    """Colours by the size of the agglomerate, a little lighter or darker from one agglomerate to the next."""
+    size = frame["agglomerate_size"]
+    largest = max(3, size.max())
+    norm = LogNorm(2, largest)
+    colour_map = LinearSegmentedColormap.from_list("sizes", plt.get_cmap("plasma")(np.linspace(0.02, 0.86, 256)))
+    colours = colour_map(norm(np.maximum(size, 2)))[:, :3]
+    turn = np.modf(frame["agglomerate"] * 0.6180339887498949)[0]
+    colours = np.clip(colours * (0.84 + 0.20 * turn)[:, None] + 0.06, 0, 1)
+    colours[frame["agglomerate"] < 0] = SINGLE
+    return colours, ScalarMappable(norm, colour_map), "particles in the agglomerate"
+
+
+def colour_by_speed(frame):
+    speed = np.linalg.norm(frame["velocity"], axis=1)
+    factor, unit = si_scale(speed.max(), "m/s")
+    # A few fast particles must not take the colours from all others.
+    top = np.quantile(speed, 0.995) if speed.max() > 0 else 1.0
+    norm = Normalize(0, factor * (top if top > 0 else speed.max()))
+    colour_map = LinearSegmentedColormap.from_list("speeds", plt.get_cmap("viridis")(np.linspace(0.12, 1, 256)))
+    return colour_map(norm(factor * speed))[:, :3], ScalarMappable(norm, colour_map), f"speed [{unit}]"
+
+
+def frame_box(frame):
+    """The box to look at, and whether it is the domain: a few particles in a large domain are looked at alone."""
+    radius = 0.5 * frame["diameter"][:, None]
+    low, high = (frame["position"] - radius).min(axis=0), (frame["position"] + radius).max(axis=0)
+    domain = frame["domain_min"], frame["domain_max"]
+    if np.max(domain[1] - domain[0]) <= 2.5 * np.max(high - low):
+        return *domain, True
+    return low, high, False
+
+
+def view_angles(low, high):
+    """Azimuth and elevation: from the side and a little above, or almost along the axis of a thin layer."""
+    size = high - low
+    thin = int(np.argmin(size))
+    if size[thin] > 0.15 * np.median(size):
+        return -60.0, 22.0
+    return [(-8.0, 10.0), (-82.0, 10.0), (-82.0, 72.0)][thin]
+
+
+def draw_edges(axes, camera, low, high, front):
+    """The edges of the box behind the particles, or those that meet in the corner next to the viewer."""
+    nearest = camera.axes[2] > 0
+    for axis in range(3):
+        for k in range(4):
+            other = [a for a in range(3) if a != axis]
+            upper = np.zeros(3, dtype=bool)
+            upper[other] = [k & 1, k >> 1]
+            if np.all(upper[other] == nearest[other]) != front:
+                continue
+            ends = np.where([upper, upper], high, low)
+            ends[:, axis] = low[axis], high[axis]
+            x, y = camera.project(ends)[0].T / 2
+            axes.plot(x, y, color=INK, lw=0.9, alpha=0.35 if front else 0.55, zorder=3 if front else 1)
+
+
+def describe(frame, low, high):
+    time, count = float(frame["time"]), len(frame["position"])
+    factor, unit = si_scale(time, "s")
+    text = f"t = {time * factor:.4g} {unit}    {count:,} particle{'s' if count != 1 else ''}".replace(",", "\u2009")
+    if "agglomerate" in frame:
+        text += f"    {100 * np.mean(frame['agglomerate'] >= 0):.0f} % in agglomerates"
+    factor, unit = si_scale(np.max(high - low), "m")
+    return text, " \u00d7 ".join(f"{x * factor:.3g}" for x in high - low) + f" {unit}"
+
+
+def draw(frame_path, picture_path, pixels=2400):
+    """Writes the picture; returns its path, or None where the frame has no particles. `pixels` are halved for it."""
+    frame = read_frame(frame_path)
+    if len(frame["position"]) == 0:
+        return None
+    with_agglomerates = "agglomerate" in frame and "agglomerate_size" in frame
+    colours, scale, label = (colour_by_agglomerate if with_agglomerates else colour_by_speed)(frame)
+    low, high, is_domain = frame_box(frame)
+    camera = spheres.Camera(low, high, *view_angles(low, high), pixels)
+    radius = 0.5 * frame["diameter"]
+    image = spheres.shade(camera, frame["position"], radius, colours, floor=(low, high) if is_domain else None)
+
+    inches = np.array(image.shape[1::-1]) / DPI
+    width, height = max(inches[0] + 1.25, 5.0), inches[1] + 0.5
+    figure = plt.figure(figsize=(width, height), dpi=DPI)
+    axes = figure.add_axes([0, 0, inches[0] / width, inches[1] / height])
+    axes.imshow(image, extent=(0, image.shape[1], 0, image.shape[0]), zorder=2)
+    if is_domain:
+        draw_edges(axes, camera, low, high, front=False)
+        draw_edges(axes, camera, low, high, front=True)
+    axes.set(xlim=(0, image.shape[1]), ylim=(0, image.shape[0]))
+    axes.axis("off")
+    title, size = describe(frame, low, high)
+    figure.text(0.3 / width, 1 - 0.3 / height, title, fontsize=13, color=INK, va="center")
+    figure.text(0.3 / width, 0.2 / height, size, fontsize=9.5, color=INK, alpha=0.75)
+    bar_axes = figure.add_axes([(inches[0] + 0.3) / width, 0.25, 0.16 / width, 0.5])
+    bar = figure.colorbar(scale, cax=bar_axes)
+    bar.outline.set_visible(False)
+    bar.set_label(label, color=INK)
+    bar_axes.tick_params(colors=INK, which="both", length=3)
+    if with_agglomerates and np.any(frame["agglomerate"] < 0):
+        patch = Patch(facecolor=SINGLE * 0.92, label="single")
+        place = ((inches[0] + 0.2) / width, 0.18)
+        figure.legend(handles=[patch], loc=place, frameon=False, labelcolor=INK, handlelength=1, handleheight=1)
+    figure.savefig(picture_path)
+    plt.close(figure)
+    return picture_path

@@ -1,0 +1,147 @@
+"""Tests of share/plot.py and share/spheres.py. usage: plot_test.py SHARE_DIRECTORY"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import matplotlib
+import matplotlib.image
+import numpy as np
+
+SHARE = pathlib.Path(sys.argv.pop(1))
+sys.path.insert(0, str(SHARE))
+
+matplotlib.use("Agg")
+import plot_particles  # noqa: E402
+import plot_series  # noqa: E402
+import spheres  # noqa: E402
+
+
+def write_frame(path, position, diameter, velocity, agglomerate=None):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with h5py.File(path, "w") as file:
+        file.attrs["time"] = 0.25
+        file.attrs["domain_min"] = [0.0, 0.0, 0.0]
+        file.attrs["domain_max"] = [1.0, 1.0, 1.0]
+        particles = file.create_group("particles")
+        particles["position"], particles["diameter"], particles["velocity"] = position, diameter, velocity
+        if agglomerate is not None:
+            particles["agglomerate"] = agglomerate
+            particles["agglomerate_size"] = [max(1, np.sum(agglomerate == a) * (a >= 0)) for a in agglomerate]
+
+
+def write_series(path, names):
+    time = np.linspace(0, 2, 30)
+    columns = [time if name == "time" else 1 + np.sin(time) for name in names]
+    np.savetxt(path, np.transpose(columns), delimiter=",", header=",".join(names), comments="")
+
+
+def plot(directory):
+    return subprocess.run([sys.executable, "-B", SHARE / "plot.py", directory], capture_output=True, text=True)
+
+
+class Pictures(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.directory = pathlib.Path(temporary.name)
+
+    def painted(self, name):
+        """Fractions of the picture that are not white, and that have a colour."""
+        picture = matplotlib.image.imread(self.directory / name)[..., :3]
+        return np.mean(picture.min(axis=2) < 0.98), np.mean(np.ptp(picture, axis=2) > 0.15)
+
+    def drawn(self, *particles):
+        frame = self.directory / "frame.h5"
+        write_frame(frame, *particles)
+        return matplotlib.image.imread(plot_particles.draw(frame, self.directory / "one.png", pixels=500))[..., :3]
+
+    def test_agglomerates_are_drawn_in_colour(self):
+        position = np.random.default_rng(1).random((300, 3))
+        frame = self.directory / "frames" / "frame_000003.h5"
+        write_frame(frame, position, np.full(300, 0.08), 0 * position, np.repeat(np.arange(100), 3))
+        agglomerates = ["agglomerates", "agglomerated_fraction", "largest_agglomerate", "mean_agglomerate_size",
+                        "fractal_dimension", "fractal_dimension_error", "coordination_number"]
+        write_series(self.directory / "series.csv", ["time", "kinetic_energy", "energy_error", "contacts", "max_overlap",
+                                                     "max_speed", *agglomerates])
+        result = plot(self.directory)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr, "")
+        self.assertEqual(result.stdout.split(), [str(self.directory / n) for n in ("series.png", "particles.png")])
+        ink, colour = self.painted("particles.png")
+        self.assertGreater(ink, 0.2)
+        self.assertGreater(colour, 0.1)
+        ink, colour = self.painted("series.png")
+        self.assertGreater(ink, 0.02)
+        self.assertGreater(colour, 0.005)
+
+    def test_speed_is_the_colour(self):
+        position = np.array([[0.3, 0.5, 0.5], [0.7, 0.5, 0.5]])
+        slow = self.drawn(position, [0.4, 0.4], 0 * position)
+        fast = self.drawn(position, [0.4, 0.4], [[0, 0, 0], [3, 4, 0]])
+
+        def yellow(picture):
+            return np.mean((picture[..., 0] > 0.6) & (picture[..., 2] < 0.4))
+
+        self.assertGreater(yellow(fast), yellow(slow) + 0.005)
+
+    def test_a_directory_that_is_no_run_is_refused(self):
+        result = plot(self.directory)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("is it a run directory?", result.stderr)
+
+    def test_nothing_is_drawn_of_nothing(self):
+        frame, table = self.directory / "frame.h5", self.directory / "series.csv"
+        write_frame(frame, np.zeros((0, 3)), np.zeros(0), np.zeros((0, 3)))
+        self.assertIsNone(plot_particles.draw(frame, self.directory / "none.png"))
+        table.write_text("time,contacts,max_overlap\n")
+        self.assertIsNone(plot_series.draw(table, self.directory / "none.png"))
+        self.assertFalse((self.directory / "none.png").exists())
+
+    def test_thin_layers_and_lone_particles_can_be_drawn(self):
+        layer = np.random.default_rng(5).random((50, 3)) * [1, 0.05, 1]
+        for particles in ((layer, np.full(50, 0.05), layer), ([[0.5, 0.5, 0.5]], [1e-3], [[0, 0, 0]])):
+            picture = self.drawn(*particles)
+            self.assertGreater(np.mean(picture.min(axis=2) < 0.9), 0.05)
+
+
+class Spheres(unittest.TestCase):
+    def test_nearest_sphere_is_that_of_brute_force(self):
+        random = np.random.default_rng(2)
+        count, width, height = 200, 90, 70
+        flat = random.uniform(-10, 100, (count, 2))
+        depth, radius = random.uniform(0, 30, count), random.uniform(0.9, 25, count) ** 1.0
+        owner, buffer = spheres.nearest_spheres(flat, depth, radius, radius, width, height, budget=3000)
+        x, y = np.arange(width) + 0.5, np.arange(height) + 0.5
+        square = (x[None, :, None] - flat[:, 0]) ** 2 + (y[:, None, None] - flat[:, 1]) ** 2
+        surface = np.where(square < radius**2, depth - np.sqrt(np.maximum(radius**2 - square, 0)), np.inf)
+        nearest = surface.min(axis=2)
+        self.assertGreater(np.mean(np.isfinite(nearest)), 0.5)
+        # Float rounding may move the rim of a sphere by a pixel; nothing else may differ.
+        different = ~np.isclose(buffer, nearest, atol=1e-3)
+        self.assertLess(different.mean(), 1e-3)
+        same = ~different & (owner >= 0)
+        self.assertGreater(np.mean(owner[same] == surface.argmin(axis=2)[same]), 0.999)
+
+    def test_camera_sees_what_it_projects(self):
+        random = np.random.default_rng(3)
+        low, high = np.array([-1.0, 2.0, 5.0]), np.array([3.0, 3.0, 9.0])
+        camera = spheres.Camera(low, high, -50.0, 25.0, pixels=400)
+        points = low + (high - low) * random.random((100, 3))
+        flat, depth, magnification = camera.project(points)
+        np.testing.assert_allclose(camera.positions(flat[:, 0], flat[:, 1], depth), points, atol=1e-12)
+        self.assertTrue(np.all((flat > 0) & (flat < [camera.width, camera.height])))
+        # Nearer to the viewer is larger.
+        self.assertTrue(np.all(np.diff(magnification[np.argsort(depth)]) <= 0))
+
+    def test_a_sphere_shadows_what_lies_behind_it(self):
+        map_of_light = spheres.ShadowMap(np.array([[0.0, 0.0, 2.0]]), np.array([0.5]), np.array([0.0, 0.0, 1.0]), 400)
+        below = np.array([[0.0, 0.0, 0.0], [0.4, 0.0, 0.0], [0.0, 0.0, 3.0], [0.2, 0.1, 1.2]])
+        np.testing.assert_array_equal(map_of_light.shade(below, 0.01, 1, 5), [1, 1, 0, 1])
+
+
+if __name__ == "__main__":
+    unittest.main()
