@@ -113,8 +113,8 @@ class Spheres(unittest.TestCase):
         random = np.random.default_rng(2)
         count, width, height = 200, 90, 70
         flat = random.uniform(-10, 100, (count, 2))
-        depth, radius = random.uniform(0, 30, count), random.uniform(0.9, 25, count) ** 1.0
-        owner, buffer = spheres.nearest_spheres(flat, depth, radius, radius, width, height, budget=3000)
+        depth, radius = random.uniform(0, 30, count), random.uniform(0.9, 25, count)
+        owner, buffer = spheres.nearest_spheres(flat, depth, radius, radius, width, height, budget=50_000)
         x, y = np.arange(width) + 0.5, np.arange(height) + 0.5
         square = (x[None, :, None] - flat[:, 0]) ** 2 + (y[:, None, None] - flat[:, 1]) ** 2
         surface = np.where(square < radius**2, depth - np.sqrt(np.maximum(radius**2 - square, 0)), np.inf)
