@@ -61,6 +61,19 @@ TEST(Random, UniformAndNormalDistributions) {
   EXPECT_LT(kolmogorov(bell, [](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }), 1.95);
 }
 
+TEST(Random, MomentsOfTheNormalDeviate) {
+  const int n = 100000;
+  double square = 0, fourth = 0;
+  for (int i = 0; i < n; ++i)
+    for (const double x : normal_pair({9, 1, static_cast<std::uint64_t>(i), 0})) {
+      square += x * x / (2 * n);
+      fourth += x * x * x * x / (2 * n);
+    }
+  // Standard errors: sqrt(2/2n) = 0.0032 and sqrt(96/2n) = 0.022.
+  EXPECT_NEAR(square, 1.0, 0.015);
+  EXPECT_NEAR(fourth, 3.0, 0.1);
+}
+
 TEST(Random, DirectionsAreUnitVectorsWithoutPreference) {
   const int n = 20000;
   double mean[3] = {}, square[3] = {};

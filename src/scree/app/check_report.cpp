@@ -72,7 +72,9 @@ void say_step(const Case& c, const DerivedStep& s, Lines& lines) {
                      fmt::format("use a time step of at most {:.3g} s (25 steps), or \"auto\"", s.contact_time / 25)});
   }
   if (s.overlap > 0)
-    lines.push_back({"overlap at top speed", fmt::format("{:.3g} % of the radius, {}", 100 * s.overlap, s.deepest),
+    lines.push_back({"overlap at top speed",
+                     std::isinf(s.overlap) ? "cohesion is as stiff as the bodies"
+                                           : fmt::format("{:.3g} % of the radius, {}", 100 * s.overlap, s.deepest),
                      warn_if(s.overlap > c.simulation.max_overlap),
                      fmt::format("the run stops beyond {:g} %: use stiffer materials, lower speeds, or raise "
                                  "simulation.max_overlap",

@@ -168,12 +168,16 @@ double time_step_of(const Case& c, const Materials& materials) {
   return step.time_step;
 }
 
-double stickiness_at(const Case& c, const Materials& materials, double speed) {
-  if (c.contact.laws.cohesion != SC_COHESION_LINEAR || !std::isfinite(speed))
-    return std::numeric_limits<double>::quiet_NaN();
+std::optional<CohesiveImpact> typical_impact(const Case& c, const Materials& materials) {
+  if (c.contact.laws.cohesion != SC_COHESION_LINEAR) return {};
   const Encounter e = typical_encounter(c, materials, body_kinds(c));
-  if (e.what.empty()) return std::numeric_limits<double>::quiet_NaN();
-  return stickiness_number(cohesive_impact(e, c.contact.laws), speed);
+  if (e.what.empty()) return {};
+  return cohesive_impact(e, c.contact.laws);
+}
+
+double stickiness_at(const Case& c, const Materials& materials, double speed) {
+  const std::optional<CohesiveImpact> impact = std::isfinite(speed) ? typical_impact(c, materials) : std::nullopt;
+  return impact ? stickiness_number(*impact, speed) : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace scree

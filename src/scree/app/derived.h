@@ -79,6 +79,10 @@ Derived derive(const Case& c);
 /// Throws InputError when a contact would take fewer than ten steps, or when "auto" has no contact to go by.
 double time_step_of(const Case& c, const Materials& materials);
 
+/// The impact that the stickiness number of the case is about: two particles of mean volume of the most numerous kind
+/// (see typical_encounter). Empty without linear cohesion. Draws all diameters of the case: keep the result.
+std::optional<CohesiveImpact> typical_impact(const Case& c, const Materials& materials);
+
 /// Stickiness number of a typical encounter of the case at `speed` [m/s]; NaN without linear cohesion or without speed.
 double stickiness_at(const Case& c, const Materials& materials, double speed);
 

@@ -9,6 +9,7 @@
 #include "scree/app/build_materials.h"
 #include "scree/particles/sizes.h"
 #include "scree/physics/contact/collision_time.h"
+#include "scree/physics/math.h"
 
 namespace scree {
 namespace {
@@ -89,7 +90,7 @@ Encounter typical_encounter(const Case& c, const Materials& materials, const std
 double contact_time(const Encounter& e, const sc_laws& laws, double speed) {
   const double adhesion = e.law.adhesion;
   if (laws.cohesion == SC_COHESION_JKR && adhesion > 0) {
-    const double radius = std::cbrt(9 * pi * adhesion * e.radius * e.radius / (2 * e.law.young));
+    const double radius = sc_cbrt(9 * pi * adhesion * e.radius * e.radius / (2 * e.law.young));
     const double bond = pi * std::sqrt(e.mass / (1.2 * e.law.young * radius));
     return speed > 0 ? std::min(bond, sc_hertz_contact_time(e.mass, speed, e.law.young, e.radius)) : bond;
   }

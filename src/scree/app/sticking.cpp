@@ -33,6 +33,9 @@ Overlap advanced(const CohesiveImpact& c, const Overlap& y, double h) {
   return {y.depth + h / 6 * (v1 + 2 * y2.rate + 2 * y3.rate + y4.rate), y.rate + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)};
 }
 
+/// Cohesion that leaves less than a ten-thousandth of the stiffness counts as being as stiff as the bodies.
+bool as_stiff(const CohesiveImpact& c) { return c.cohesion > (1 - 1e-4) * c.stiffness; }
+
 bool escapes(const CohesiveImpact& c, double speed) {
   const double parting = parting_speed(c, touching_speed(c, speed));
   return parting >= 0 && c.mass * parting * parting > c.cohesion * c.reach * c.reach;
@@ -45,7 +48,7 @@ double touching_speed(const CohesiveImpact& c, double speed) {
 }
 
 double parting_speed(const CohesiveImpact& c, double touching) {
-  if (c.cohesion >= c.stiffness) return -1;
+  if (as_stiff(c)) return -1;
   const double step = std::sqrt(c.mass / (c.stiffness - c.cohesion)) / 500;
   Overlap y{0, touching};
   bool returning = false;
@@ -68,7 +71,7 @@ double parting_speed(const CohesiveImpact& c, double touching) {
 
 double sticking_speed(const CohesiveImpact& c) {
   if (c.cohesion <= 0 || c.reach <= 0 || c.damping <= 0) return 0;
-  if (c.cohesion >= c.stiffness) return std::numeric_limits<double>::infinity();
+  if (as_stiff(c)) return std::numeric_limits<double>::infinity();
   double high = c.reach * std::sqrt(c.cohesion / c.mass);
   for (int doublings = 0; !escapes(c, high); ++doublings) {
     if (doublings == 60) return std::numeric_limits<double>::infinity();

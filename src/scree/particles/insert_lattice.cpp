@@ -8,6 +8,7 @@
 #include "scree/base/error.h"
 #include "scree/particles/deviates.h"
 #include "scree/particles/insert_region.h"
+#include "scree/physics/math.h"
 
 namespace scree {
 namespace {
@@ -24,7 +25,7 @@ std::array<std::uint64_t, 3> even_numbers(const ParticleGroup& group) {
     }
   std::array<std::uint64_t, 3> number{1, 1, 1};
   if (axes == 0) return number;
-  const double step = std::pow(volume / static_cast<double>(group.count), 1.0 / axes);
+  const double step = sc_pow(volume / static_cast<double>(group.count), 1.0 / axes);
   for (int k = 0; k < 3; ++k)
     number[k] = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(region_extent(group, k) / step * (1 + 1e-12)));
   while (number[0] * number[1] * number[2] < group.count) {
