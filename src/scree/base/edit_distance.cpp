@@ -36,14 +36,15 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   if (word.empty() || word.size() > longest_word) return "";
   const std::string small = lower(word);
   std::string best;
-  // In quarters of an edit: one that only changes case counts half, another first letter a quarter more.
-  std::size_t best_score = 4 * std::max<std::size_t>(1, word.size() / 3) + 2;
+  // In quarters of an edit: capitals cost a quarter once, another first letter a quarter more.
+  std::size_t best_score = 4 * std::max<std::size_t>(1, word.size() / 3) + 3;
   for (const std::string& candidate : candidates) {
     if (candidate.empty() || candidate.size() > longest_word) continue;
     const std::string other = lower(candidate);
-    const std::size_t edits = 2 * (edit_distance(small, other) + edit_distance(word, candidate));
-    const std::size_t score = edits + (small[0] == other[0] ? 0 : 1);
-    if (score >= best_score || edits >= 4 * std::max(word.size(), candidate.size())) continue;
+    const std::size_t edits = edit_distance(small, other);
+    const bool same_capitals = edit_distance(word, candidate) == edits;
+    const std::size_t score = 4 * edits + (same_capitals ? 0 : 1) + (small[0] == other[0] ? 0 : 1);
+    if (score >= best_score || edits >= std::max(word.size(), candidate.size())) continue;
     best = candidate;
     best_score = score;
   }

@@ -38,7 +38,7 @@ std::string reason(const mu::ParserError& error, const mu::Parser& parser) {
       std::string name =
           token.substr(0, token.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789"));
       if (!name.empty() && (name[0] < '0' || name[0] > '9')) return unknown_name(name, parser);
-      return fmt::format("cannot read '{}'{}", token, at());
+      return fmt::format("cannot read '{}'{}", token.substr(0, token.find(' ')), at());
     }
     case mu::ecEMPTY_EXPRESSION:
       return "the formula is empty";

@@ -53,7 +53,7 @@ constexpr UnitRow units[] = {
     {"t", "tonne", 1, 3, mass, false},
     {"bar", "bar", 1, 5, pressure, true},
     {"atm", "standard atmosphere", 101325, 0, pressure, false},
-    {"mmHg", "millimetre of mercury", 133.322, 0, pressure, false},
+    {"mmHg", "millimetre of mercury", 133.322387415, 0, pressure, false},
     {"psi", "pound-force per square inch", 4.4482216152605 / (0.0254 * 0.0254), 0, pressure, false},
     {"P", "poise", 1, -1, viscosity, true},
     {"St", "stokes", 1, -4, diffusivity, true},

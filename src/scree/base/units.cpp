@@ -54,9 +54,10 @@ std::string suggest_unit(std::string_view name) {
   for (const UnitRow& row : unit_table()) {
     names.emplace_back(row.symbol);
     names.emplace_back(row.name);
-    if (!row.prefixes) continue;
-    for (const Prefix& prefix : prefix_table()) names.push_back(std::string(prefix.symbol) + std::string(row.symbol));
   }
+  for (const UnitRow& row : unit_table())
+    for (const Prefix& prefix : prefix_table())
+      if (row.prefixes) names.push_back(std::string(prefix.symbol) + std::string(row.symbol));
   std::string best = nearest(name, names);
   for (const UnitRow& row : unit_table())
     if (best.empty() && name.size() >= 3 && row.name.starts_with(name)) best = row.symbol;

@@ -1,0 +1,67 @@
+// A resolved case loads again to the same case, and names every key that applies.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "scree/base/version.h"
+#include "scree/input/load.h"
+#include "scree/input/write.h"
+
+namespace scree {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source = SCREE_SOURCE_DIR;
+
+std::vector<fs::path> shipped_cases() {
+  std::vector<fs::path> found;
+  for (const char* directory : {"tests/good", "examples", "verify", "bench"}) {
+    if (!fs::is_directory(source / directory)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(source / directory))
+      if (entry.path().extension() == ".toml") found.push_back(entry.path());
+  }
+  return found;
+}
+
+TEST(ResolvedCase, EveryShippedCaseLoadsAndItsResolvedTextGivesTheSameCase) {
+  EXPECT_GE(shipped_cases().size(), 2u);
+  for (const fs::path& path : shipped_cases()) {
+    const std::string once = resolved_case(load_case(path.string()));
+    const std::string twice = resolved_case(parse_case(once, "/elsewhere/case.toml"));
+    EXPECT_EQ(once, twice) << path;
+  }
+}
+
+TEST(ResolvedCase, KeepsEveryBit) {
+  const Case before = load_case(
+      (source / "tests/good/linear.toml").string(),
+      {"simulation.end=0.1234567890123456789", "materials.glass.density=1e22", "simulation.seed=9223372036854775807"});
+  const Case after = parse_case(resolved_case(before), "case.toml");
+  EXPECT_EQ(after.simulation.end, 0.1234567890123456789);
+  EXPECT_EQ(after.materials[0].density, 1e22);
+  EXPECT_EQ(after.simulation.seed, 9223372036854775807u);
+  EXPECT_EQ(after.simulation.title, "a \"quoted\" title, with µ and \\");
+  EXPECT_EQ(after.gravity.angular_velocity, before.gravity.angular_velocity);
+  EXPECT_EQ(after.particles[0].region_max, before.particles[0].region_max);
+  EXPECT_EQ(after.particles[1].motion_velocity, before.particles[1].motion_velocity);
+  EXPECT_EQ(after.particles[2].positions, before.particles[2].positions);
+  EXPECT_EQ(after.walls[1].min, before.walls[1].min);
+  EXPECT_EQ(after.verify.variants[0].set, before.verify.variants[0].set);
+  EXPECT_EQ(after.verify.expect[0].value, before.verify.expect[0].value);
+  EXPECT_EQ(after.pairs[0].friction_sliding, before.pairs[0].friction_sliding);
+}
+
+TEST(ResolvedCase, SaysWhoWroteItAndWritesDefaults) {
+  const std::string text = resolved_case(load_case((source / "tests/good/hertz.toml").string()));
+  EXPECT_TRUE(text.starts_with(std::string("# Written by Scree ") + version));
+  for (const char* line :
+       {"\ntime_step = \"auto\"  # s\n", "\nsteps_per_contact = 25\n", "\ntangential = \"mindlin\"\n",
+        "\nregion_max = [1, 1, 1]  # m\n", "\nyoung = 70000000  # Pa\n", "\nadhesion = 0.05  # J/m2\n",
+        "\n# stiffness: none\n", "\nname = \"group0\"\n", "\nseries = 0  # s\n", "\nvalue = 0.01  # m\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line;
+  EXPECT_EQ(text.find("shear_rate"), std::string::npos);  // does not apply
+}
+
+}  // namespace
+}  // namespace scree
