@@ -1,0 +1,27 @@
+// What the particles hold at one moment: the entries of the ledger and the columns of the series.
+#pragma once
+
+#include <vector>
+
+#include "scree/analysis/agglomerates.h"
+#include "scree/analysis/ledger.h"
+#include "scree/particles/fields.h"
+#include "scree/particles/sample.h"
+
+namespace scree {
+
+/// Speeds of the particles that move freely.
+struct Speeds {
+  double largest = 0, mean = 0;  // [m/s]
+};
+
+/// Energies, momenta and exchanges since the start; exact sums, so they do not depend on threads. `time` is the time since
+/// the start of the run [s].
+Measured measure(const Sample& sample, const Fields& fields, double time);
+
+Speeds measure_speeds(const Sample& sample);
+
+/// The pairs that belong together: bodies in contact, or effect surfaces that overlap.
+std::vector<Bond> bonds_of(const ParticleSystem& system);
+
+}  // namespace scree

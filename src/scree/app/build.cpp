@@ -1,0 +1,73 @@
+#include "scree/app/build.h"
+
+#include "scree/app/build_materials.h"
+#include "scree/app/build_particles.h"
+#include "scree/app/build_walls.h"
+#include "scree/app/models.h"
+
+namespace scree {
+namespace {
+
+sc_vec vec(const Vec3& v) { return sc_make_vec(v[0], v[1], v[2]); }
+
+VectorExpression formulas(const Expression3& text, const std::vector<std::string>& variables) {
+  return {Expression(text[0], variables), Expression(text[1], variables), Expression(text[2], variables)};
+}
+
+const std::vector<std::string> place_and_time = {"x", "y", "z", "t"};
+
+void build_body_force(const GravityKeys& g, Fields& f) {
+  f.body = body_force(g.type);
+  if (f.body == BodyForce::uniform || f.body == BodyForce::rotating) f.uniform = vec(g.acceleration);
+  f.center = vec(g.center);
+  f.strength = g.strength;
+  f.angular_velocity = vec(g.angular_velocity);
+  f.angular_acceleration = vec(g.angular_acceleration);
+  if (f.body == BodyForce::expression) f.acceleration = formulas(g.expression, place_and_time);
+}
+
+void build_flow(const FlowKeys& k, Fields& f) {
+  f.flow = flow_kind(k.type);
+  f.stream = vec(k.velocity);
+  f.amplitude = k.amplitude;
+  f.wavenumber = k.wavenumber;
+  f.shear_rate = k.shear_rate;
+  f.shear_origin = k.shear_origin;
+  if (f.flow == FlowKind::expression) f.velocity = formulas(k.expression, place_and_time);
+  f.drag = f.flow == FlowKind::none ? SC_DRAG_NONE : drag_law(k.drag);
+  f.density = k.density;
+  f.viscosity = k.viscosity;
+}
+
+}  // namespace
+
+Domain build_domain(const Case& c) { return {c.domain.min, c.domain.max, c.domain.periodic}; }
+
+Fields build_fields(const Case& c) {
+  Fields f;
+  build_body_force(c.gravity, f);
+  build_flow(c.flow, f);
+  return f;
+}
+
+std::vector<PrescribedGroup> build_prescribed(const Case& c) {
+  std::vector<PrescribedGroup> out;
+  for (std::size_t g = 0; g < c.particles.size(); ++g)
+    if (c.particles[g].motion == "prescribed")
+      out.push_back({static_cast<std::int32_t>(g), formulas(c.particles[g].motion_velocity, place_and_time)});
+  return out;
+}
+
+ParticleSystem build_system(const Case& c, Fields& fields) {
+  ParticleSystem s;
+  s.domain = build_domain(c);
+  s.laws = c.contact.laws;
+  s.materials = build_materials(c);
+  s.walls = build_walls(c);
+  s.particles = build_particles(c, s.domain, s.walls,
+                                [&](const Vec3& x) { return flow_velocity(fields, x.data(), 0.0); });
+  s.contacts.remembers_rolling = s.laws.rolling != SC_ROLLING_NONE || s.laws.twisting != SC_TWISTING_NONE;
+  return s;
+}
+
+}  // namespace scree

@@ -1,0 +1,219 @@
+// Saving a simulation, continuing it, and the hash that tells whether two are the same to the last bit.
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "scree/app/simulation.h"
+#include "scree/base/error.h"
+#include "scree/base/hash.h"
+
+namespace scree {
+namespace {
+
+/// Contacts with memory, by key; directions are those from the lower id to the higher.
+struct KeyedPairs {
+  std::vector<std::int64_t> ids;  // [contacts][2]
+  std::vector<double> memory;     // [contacts][8]: slide x y z, bond, roll x y z, twist
+};
+
+struct KeyedWalls {
+  std::vector<std::int64_t> ids;  // [contacts][2]: particle, face
+  std::vector<double> memory;     // [contacts][8]
+};
+
+/// Order of rows of two numbers.
+std::vector<std::size_t> order_of(const std::vector<std::int64_t>& keys) {
+  std::vector<std::size_t> order(keys.size() / 2);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(keys[2 * a], keys[2 * a + 1]) < std::pair(keys[2 * b], keys[2 * b + 1]);
+  });
+  return order;
+}
+
+template <class Keyed>
+Keyed sorted(const Keyed& in) {
+  Keyed out;
+  for (const std::size_t k : order_of(in.ids)) {
+    out.ids.insert(out.ids.end(), &in.ids[2 * k], &in.ids[2 * k] + 2);
+    out.memory.insert(out.memory.end(), &in.memory[8 * k], &in.memory[8 * k] + 8);
+  }
+  return out;
+}
+
+void append_memory(std::vector<double>& to, const Buffer<double>& slide, const Buffer<double>& roll, std::size_t c,
+                   double sign) {
+  for (int k = 0; k < 3; ++k) to.push_back(sign * slide[4 * c + k]);
+  to.push_back(slide[4 * c + 3]);
+  for (int k = 0; k < 4; ++k) to.push_back(roll.empty() ? 0.0 : sign * roll[4 * c + k]);
+}
+
+KeyedPairs keyed_pairs(const ParticleSystem& s) {
+  KeyedPairs out;
+  for (std::size_t c = 0; c < s.contacts.pairs.count; ++c) {
+    if (!s.contacts.active[c]) continue;
+    const std::int64_t a = s.particles.id[s.contacts.pairs.owner[c]], b = s.particles.id[s.contacts.pairs.partner[c]];
+    out.ids.push_back(std::min(a, b));
+    out.ids.push_back(std::max(a, b));
+    append_memory(out.memory, s.contacts.slide, s.contacts.roll, c, a < b ? 1 : -1);
+  }
+  return sorted(out);
+}
+
+KeyedWalls keyed_walls(const ParticleSystem& s) {
+  KeyedWalls out;
+  for (std::size_t p = 0; p + 1 < s.wall_contacts.first.size(); ++p)
+    for (std::int32_t w = s.wall_contacts.first[p]; w < s.wall_contacts.first[p + 1]; ++w) {
+      if (!s.wall_contacts.active[w]) continue;
+      out.ids.push_back(s.particles.id[p]);
+      out.ids.push_back(s.wall_contacts.wall[w]);
+      append_memory(out.memory, s.wall_contacts.slide, s.wall_contacts.roll, w, 1);
+    }
+  return sorted(out);
+}
+
+/// -0 and 0 are the same state.
+double plain(double x) { return x + 0.0; }
+
+std::unordered_map<std::int64_t, std::int32_t> rows_by_id(const Particles& p) {
+  std::unordered_map<std::int64_t, std::int32_t> row;
+  row.reserve(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) row[p.id[i]] = static_cast<std::int32_t>(i);
+  return row;
+}
+
+/// Pairs as lists of one contact each, ready to be carried over into real lists.
+PairContacts contacts_of(std::span<const std::int64_t> ids, std::span<const double> memory, const Particles& p,
+                         bool rolling) {
+  const auto row = rows_by_id(p);
+  const std::size_t count = ids.size() / 2;
+  PairContacts out;
+  out.remembers_rolling = rolling;
+  out.pairs.count = count;
+  out.pairs.owner.resize(count);
+  out.pairs.partner.resize(count);
+  out.active.resize(count);
+  out.slide.resize(4 * count);
+  if (rolling) out.roll.resize(4 * count);
+  for (std::size_t c = 0; c < count; ++c) {
+    const auto a = row.find(ids[2 * c]), b = row.find(ids[2 * c + 1]);
+    if (a == row.end() || b == row.end()) throw InputError("a contact names a particle that is not there");
+    out.pairs.owner[c] = a->second;
+    out.pairs.partner[c] = b->second;
+    out.active[c] = 1;
+    std::copy_n(&memory[8 * c], 4, &out.slide[4 * c]);
+    if (rolling) std::copy_n(&memory[8 * c + 4], 4, &out.roll[4 * c]);
+  }
+  return out;
+}
+
+WallContacts walls_of(std::span<const std::int64_t> ids, std::span<const double> memory, const Particles& p,
+                      std::size_t faces) {
+  const auto row = rows_by_id(p);
+  std::vector<std::vector<std::size_t>> mine(p.size());
+  for (std::size_t c = 0; c < ids.size() / 2; ++c) {
+    const auto found = row.find(ids[2 * c]);
+    if (found == row.end() || ids[2 * c + 1] >= static_cast<std::int64_t>(faces))
+      throw InputError("a contact names a particle or a wall that is not there");
+    mine[found->second].push_back(c);
+  }
+  WallContacts out;
+  out.first.resize(p.size() + 1);
+  out.wall.resize(ids.size() / 2);
+  out.active.resize(ids.size() / 2);
+  out.slide.resize(2 * ids.size());
+  out.roll.resize(2 * ids.size());
+  std::int32_t next = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (const std::size_t c : mine[i]) {
+      out.wall[next] = static_cast<std::int32_t>(ids[2 * c + 1]);
+      out.active[next] = 1;
+      std::copy_n(&memory[8 * c], 4, &out.slide[4 * std::size_t(next)]);
+      std::copy_n(&memory[8 * c + 4], 4, &out.roll[4 * std::size_t(next)]);
+      ++next;
+    }
+    out.first[i + 1] = next;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string Simulation::state_hash() const {
+  Sha256 hash;
+  const auto add = [&hash](const double* x, int count) {
+    for (int k = 0; k < count; ++k) {
+      const double value = plain(x[k]);
+      hash.update(&value, sizeof value);
+    }
+  };
+  const double time = clock_.now();
+  add(&time, 1);
+  const Particles& p = system_.particles;
+  std::vector<std::uint32_t> order(p.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return p.id[a] < p.id[b]; });
+  for (const std::uint32_t i : order) {
+    hash.update(&p.id[i], sizeof p.id[i]);
+    add(p.motion.row(i), 8);
+    add(p.spin.row(i), 4);
+  }
+  const KeyedPairs pairs = keyed_pairs(system_);
+  hash.update(pairs.ids.data(), pairs.ids.size() * sizeof(std::int64_t));
+  add(pairs.memory.data(), static_cast<int>(pairs.memory.size()));
+  const KeyedWalls walls = keyed_walls(system_);
+  hash.update(walls.ids.data(), walls.ids.size() * sizeof(std::int64_t));
+  add(walls.memory.data(), static_cast<int>(walls.memory.size()));
+  return hash.hex();
+}
+
+Archive Simulation::save() const {
+  Archive out;
+  out.set("step", clock_.step);
+  out.set("time", clock_.now());
+  out.set("time_step", clock_.dt);
+  out.set("contact_evaluations", tally_.contacts);
+  out.set("impacts", tally_.impacts);
+  out.set("impact_speed", tally_.impact_speed);
+  Particles p = system_.particles;
+  out.set("particles", static_cast<std::int64_t>(p.size()));
+  p.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
+    if (saved) out.put(std::string(name), std::move(column.values), column.components);
+  });
+  KeyedPairs pairs = keyed_pairs(system_);
+  out.put("pair_ids", std::move(pairs.ids), 2);
+  out.put("pair_memory", std::move(pairs.memory), 8);
+  KeyedWalls walls = keyed_walls(system_);
+  out.put("wall_ids", std::move(walls.ids), 2);
+  out.put("wall_memory", std::move(walls.memory), 8);
+  return out;
+}
+
+void Simulation::restore(const Archive& archive) {
+  const std::int64_t n = archive.integer("particles");
+  if (archive.number("time_step") != clock_.dt)
+    throw InputError(fmt::format("{} was written with time step {} s, the case has {} s: a run continues with its own time "
+                                 "step",
+                                 archive.origin, archive.number("time_step"), clock_.dt));
+  if (n != static_cast<std::int64_t>(system_.particles.size()))
+    throw InputError(fmt::format("{} holds {} particles, the case {}", archive.origin, n, system_.particles.size()));
+  clock_.step = archive.integer("step");
+  tally_ = {archive.integer("contact_evaluations"), archive.integer("impacts"), archive.integer("impact_speed")};
+  system_.particles.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
+    if (!saved) return;
+    using Value = typename std::remove_reference_t<decltype(column)>::value_type;
+    const auto values = archive.get<Value>(std::string(name), column.components);
+    if (values.size() != column.values.size()) throw InputError(archive.origin + ": wrong number of " + std::string(name));
+    std::copy(values.begin(), values.end(), column.values.begin());
+  });
+  system_.contacts = contacts_of(archive.get<std::int64_t>("pair_ids", 2), archive.get<double>("pair_memory", 8),
+                                 system_.particles, system_.contacts.remembers_rolling);
+  system_.wall_contacts = walls_of(archive.get<std::int64_t>("wall_ids", 2), archive.get<double>("wall_memory", 8),
+                                   system_.particles, system_.walls.size());
+  lists_ = prepare_lists(system_, case_.simulation.skin);
+  sampled_step_ = -1;
+}
+
+}  // namespace scree

@@ -1,0 +1,129 @@
+#include "scree/app/columns.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "scree/base/version.h"
+
+namespace scree {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<std::uint32_t> order_by_id(const Particles& p) {
+  std::vector<std::uint32_t> order(p.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return p.id[a] < p.id[b]; });
+  return order;
+}
+
+double whole(std::int64_t n) { return static_cast<double>(n); }
+
+}  // namespace
+
+std::string program_name() { return std::string("scree ") + version; }
+
+double mean_impact_speed(std::int64_t count, std::int64_t sum) {
+  return count > 0 ? whole(sum) * speed_quantum / whole(count) : nan;
+}
+
+std::vector<std::string> series_columns(bool agglomerates) {
+  std::vector<std::string> names = {"time", "step", "kinetic_energy", "rotational_energy", "elastic_energy",
+                                    "cohesive_energy", "gravitational_energy", "dissipated_normal",
+                                    "dissipated_sliding", "dissipated_rolling", "work_drag", "work_prescribed",
+                                    "energy_error", "momentum_x", "momentum_y", "momentum_z", "momentum_error",
+                                    "angular_momentum_x", "angular_momentum_y", "angular_momentum_z",
+                                    "angular_momentum_error", "contacts", "max_overlap", "max_speed", "mean_speed",
+                                    "collision_speed", "stickiness"};
+  if (agglomerates)
+    names.insert(names.end(), {"agglomerates", "agglomerated_fraction", "largest_agglomerate", "mean_agglomerate_size",
+                               "mean_radius_of_gyration", "spanning_agglomerates", "fractal_dimension",
+                               "fractal_dimension_error", "coordination_number"});
+  return names;
+}
+
+std::vector<double> values_of(const SeriesRow& r) {
+  const Measured& m = r.measured;
+  std::vector<double> v = {r.time, whole(r.step), m.kinetic, m.rotational, m.elastic, m.cohesive, -m.body_work,
+                           m.dissipated_normal, m.dissipated_sliding, m.dissipated_rolling, m.drag_work,
+                           m.prescribed_work, r.balance.energy_error, m.momentum[0], m.momentum[1], m.momentum[2],
+                           r.balance.momentum_error, m.angular_momentum[0], m.angular_momentum[1], m.angular_momentum[2],
+                           r.balance.angular_momentum_error, whole(r.contacts), r.max_overlap, r.speeds.largest,
+                           r.speeds.mean, r.collision_speed, r.stickiness};
+  if (const auto& a = r.agglomerates)
+    v.insert(v.end(), {whole(a->agglomerates), a->agglomerated_fraction, whole(a->largest_agglomerate),
+                       a->mean_agglomerate_size, a->mean_radius_of_gyration, whole(a->spanning_agglomerates),
+                       a->fractal_dimension, a->fractal_dimension_error, a->coordination_number});
+  return v;
+}
+
+std::vector<std::string> track_columns() {
+  return {"time", "id", "x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz", "fx", "fy", "fz"};
+}
+
+std::vector<double> track_rows(const Sample& sample, const std::vector<std::uint64_t>& ids, double time) {
+  const Particles& p = sample.system.particles;
+  std::vector<double> out;
+  for (const std::uint64_t wanted : ids)
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (p.id[i] != static_cast<std::int64_t>(wanted)) continue;
+      const double *m = p.motion.row(i), *spin = p.spin.row(i), *force = &sample.force[4 * i];
+      out.insert(out.end(), {time, static_cast<double>(wanted), m[0], m[1], m[2], m[4], m[5], m[6], spin[0] * spin[3],
+                             spin[1] * spin[3], spin[2] * spin[3], force[0], force[1], force[2]});
+    }
+  return out;
+}
+
+std::vector<std::string> size_columns() { return {"time", "size", "count"}; }
+
+void append_sizes(SeriesWriter& writer, double time, const std::map<std::int64_t, std::int64_t>& count_by_size) {
+  std::vector<double> rows;
+  for (const auto& [size, count] : count_by_size) rows.insert(rows.end(), {time, whole(size), whole(count)});
+  writer.append(rows);
+}
+
+FrameData frame_data(const Sample& sample, bool agglomerates) {
+  const Particles& p = sample.system.particles;
+  FrameData d;
+  Agglomerates found;
+  if (agglomerates) found = find_agglomerates(p, sample.system.domain, bonds_of(sample.system));
+  for (const std::uint32_t i : order_by_id(p)) {
+    const double *m = p.motion.row(i), *spin = p.spin.row(i);
+    d.id.push_back(p.id[i]);
+    d.position.insert(d.position.end(), m, m + 3);
+    d.velocity.insert(d.velocity.end(), m + 4, m + 7);
+    for (int k = 0; k < 3; ++k) d.angular_velocity.push_back(spin[k] * spin[3]);
+    d.diameter.push_back(2 * m[3]);
+    d.mass.push_back(p.mass[i]);
+    d.material.push_back(p.material[i]);
+    d.group.push_back(p.group[i]);
+    if (!agglomerates) continue;
+    d.agglomerate.push_back(found.label[i]);
+    d.agglomerate_size.push_back(found.size[i]);
+  }
+  return d;
+}
+
+std::vector<FrameColumn> frame_columns(const FrameData& d) {
+  const auto column = [&](const char* name, const char* unit, const char* meaning, const auto& values,
+                          std::uint64_t components) {
+    return FrameColumn{name, unit, meaning, array_view(values.data(), d.id.size(), components)};
+  };
+  std::vector<FrameColumn> out = {
+      column("id", "1", "Number of the particle, for life.", d.id, 1),
+      column("position", "m", "Centre, inside the periodic box.", d.position, 3),
+      column("velocity", "m/s", "Velocity of the centre.", d.velocity, 3),
+      column("angular_velocity", "rad/s", "Angular velocity in the frame of the domain.", d.angular_velocity, 3),
+      column("diameter", "m", "Diameter of the body.", d.diameter, 1),
+      column("mass", "kg", "Mass.", d.mass, 1),
+      column("material", "1", "Place of the material in the case, from 0.", d.material, 1),
+      column("group", "1", "Place of the particle group in the case, from 0.", d.group, 1)};
+  if (!d.agglomerate.empty()) {
+    out.push_back(column("agglomerate", "1", "Smallest id in the agglomerate; -1 for a single particle.", d.agglomerate, 1));
+    out.push_back(column("agglomerate_size", "1", "Number of particles in the agglomerate.", d.agglomerate_size, 1));
+  }
+  return out;
+}
+
+}  // namespace scree

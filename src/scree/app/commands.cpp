@@ -1,0 +1,154 @@
+#include "scree/app/commands.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "scree/app/bench.h"
+#include "scree/app/data_files.h"
+#include "scree/app/derived.h"
+#include "scree/app/info.h"
+#include "scree/app/plot.h"
+#include "scree/app/run.h"
+#include "scree/app/verify.h"
+#include "scree/input/explain.h"
+#include "scree/input/load.h"
+
+namespace scree {
+namespace {
+
+void print(const std::string& text) {
+  std::fputs(text.c_str(), stdout);
+  if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);
+}
+
+/// "DIR/silo.toml" -> "runs/silo"; "silo/case.toml" -> "runs/silo".
+std::string default_directory(const std::string& case_file) {
+  const std::filesystem::path path = std::filesystem::absolute(case_file);
+  const std::string stem = path.stem() == "case" ? path.parent_path().filename().string() : path.stem().string();
+  return (std::filesystem::path("runs") / stem).string();
+}
+
+struct CaseArguments {
+  std::string file;
+  std::vector<std::string> set;
+
+  void declare(CLI::App& command) {
+    command.add_option("case", file, "the case file, CASE.toml")->required();
+    command.add_option("--set", set, "change a key: --set simulation.end=0.5 (may be repeated)");
+  }
+};
+
+Command declare_run(CLI::App& app) {
+  CLI::App* c = app.add_subcommand("run", "Run a case");
+  auto arguments = std::make_shared<CaseArguments>();
+  auto options = std::make_shared<RunOptions>();
+  auto until = std::make_shared<double>(0);
+  auto plot = std::make_shared<bool>(false);
+  arguments->declare(*c);
+  c->add_option("-o,--output", options->directory, "directory of the results [runs/NAME]");
+  c->add_flag("--force", options->force, "replace the results of an earlier run in that directory");
+  c->add_option("--restart", options->restart, "continue from this checkpoint, appending to the results");
+  const CLI::Option* has_until = c->add_option("--until", *until, "end at this time [s]")->check(CLI::PositiveNumber);
+  c->add_option("--threads", options->threads, "threads [all that this process may use]")->check(CLI::PositiveNumber);
+  c->add_flag("--quiet", options->quiet, "print nothing but errors");
+  c->add_flag("--plot", *plot, "draw series.png and particles.png at the end");
+  return {"run", [=] {
+            const Case loaded = load_case(arguments->file, arguments->set);
+            if (options->directory.empty()) options->directory = default_directory(arguments->file);
+            if (has_until->count()) options->until = *until;
+            const RunResult result = run_case(loaded, *options);
+            if (!result.summary.reason.empty()) std::fprintf(stderr, "%s\n", result.summary.reason.c_str());
+            if (*plot && result.status == Exit::success) plot_run(options->directory);
+            return static_cast<int>(result.status);
+          }};
+}
+
+Command declare_check(CLI::App& app) {
+  CLI::App* c = app.add_subcommand("check", "Check a case and print the numbers that follow from it; nothing is run");
+  auto arguments = std::make_shared<CaseArguments>();
+  arguments->declare(*c);
+  return {"check", [=] {
+            const Case loaded = load_case(arguments->file, arguments->set);
+            print(check_report(loaded, derive(loaded)));
+            return 0;
+          }};
+}
+
+Command declare_verify(CLI::App& app) {
+  CLI::App* c = app.add_subcommand("verify", "Run the verification book: every law against its reference");
+  auto options = std::make_shared<VerifyOptions>();
+  c->add_option("names", options->names, "cases, by name or number [all]");
+  c->add_option("-o,--output", options->directory, "directory of the results")->capture_default_str();
+  c->add_flag("--plot", options->plot, "draw each case over its reference");
+  c->add_option("--threads", options->threads, "threads")->check(CLI::PositiveNumber);
+  return {"verify", [=] {
+            options->cases = data_directory("verify").string();
+            return verify(*options);
+          }};
+}
+
+Command declare_bench(CLI::App& app) {
+  CLI::App* c = app.add_subcommand("bench", "Measure speed on the benchmark scenes");
+  auto options = std::make_shared<BenchOptions>();
+  c->add_option("names", options->names, "scenes [dense dilute]");
+  c->add_option("--threads", options->threads, "threads [1 and all]")->check(CLI::PositiveNumber);
+  c->add_option("--json", options->json, "also write the figures to this file");
+  return {"bench", [=] { return bench(*options); }};
+}
+
+Command declare_explain(CLI::App& app) {
+  CLI::App* c = app.add_subcommand("explain", "Explain a key of the case file or the code of an error");
+  auto key = std::make_shared<std::string>();
+  auto schema = std::make_shared<bool>(false);
+  auto markdown = std::make_shared<bool>(false);
+  c->add_option("key", *key, "contact.normal, say, or E102 [an overview]");
+  c->add_flag("--schema", *schema, "print the JSON Schema of case files, for editors");
+  c->add_flag("--markdown", *markdown, "print the reference of all keys");
+  return {"explain", [=] {
+            print(*schema ? json_schema() : *markdown ? reference_markdown() : explain(*key));
+            return 0;
+          }};
+}
+
+Command declare_info(CLI::App& app) {
+  app.add_subcommand("info", "Show version, build and machine");
+  return {"info", [] {
+            print(info_text());
+            return 0;
+          }};
+}
+
+Command declare_new(CLI::App& app) {
+  CLI::App* c = app.add_subcommand("new", "Copy an example into a new directory");
+  auto name = std::make_shared<std::string>();
+  auto directory = std::make_shared<std::string>();
+  c->add_option("example", *name, "the example; without it, all are listed");
+  c->add_option("directory", *directory, "where to put it [its name]");
+  return {"new", [=] {
+            print(name->empty() ? list_examples() : copy_example(*name, *directory));
+            return 0;
+          }};
+}
+
+Command declare_plot(CLI::App& app) {
+  CLI::App* c = app.add_subcommand("plot", "Draw series.png and particles.png of a run");
+  auto directory = std::make_shared<std::string>();
+  c->add_option("directory", *directory, "the directory of the run")->required();
+  return {"plot", [=] {
+            plot_run(*directory);
+            return 0;
+          }};
+}
+
+}  // namespace
+
+Commands make_commands(CLI::App& app) {
+  return {declare_run(app),     declare_check(app), declare_verify(app), declare_bench(app),
+          declare_explain(app), declare_info(app),  declare_new(app),    declare_plot(app)};
+}
+
+}  // namespace scree

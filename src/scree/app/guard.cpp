@@ -1,0 +1,81 @@
+#include "scree/app/guard.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scree/base/error.h"
+
+namespace scree {
+namespace {
+
+std::string place_of(const Particles& p, std::size_t i) {
+  const double* m = p.motion.row(i);
+  return fmt::format("particle {} at ({:.6g}, {:.6g}, {:.6g}) m, velocity ({:.6g}, {:.6g}, {:.6g}) m/s", p.id[i], m[0],
+                     m[1], m[2], m[lane::vx], m[lane::vy], m[lane::vz]);
+}
+
+[[noreturn]] void report_unsound(const Particles& p, double time) {
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (int k = 0; k < 8; ++k)
+      if (!(std::abs(p.motion.row(i)[k]) < 1e150))
+        throw PhysicsError(fmt::format("t = {:.9g} s: the motion of {} is no longer finite. The time step is too long for "
+                                       "the forces: see `scree check`",
+                                       time, place_of(p, i)));
+  throw PhysicsError(fmt::format("t = {:.9g} s: a speed is no longer finite", time));
+}
+
+[[noreturn]] void report_lost(const ParticleSystem& s, double time) {
+  const Particles& p = s.particles;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const double x = p.motion.row(i)[k];
+      if (!s.domain.periodic[k] && (x < s.domain.min[k] || x >= s.domain.max[k]))
+        throw PhysicsError(fmt::format(
+            "t = {:.9g} s: {} has left the domain through its {} {} face. Close it with a wall, make the axis periodic, or "
+            "enlarge [domain]",
+            time, place_of(p, i), x < s.domain.min[k] ? "lower" : "upper", "xyz"[k]));
+    }
+  throw PhysicsError(fmt::format("t = {:.9g} s: a particle has left the domain", time));
+}
+
+/// The deepest pair now, one step after it was noticed; the walls' partners are named by the particle alone.
+[[noreturn]] void report_deep(const ParticleSystem& s, double deepest, double limit, double time) {
+  const Particles& p = s.particles;
+  double worst = -1;
+  std::size_t a = 0, b = 0;
+  for (std::size_t c = 0; c < s.contacts.pairs.count; ++c) {
+    const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
+    const double *x = p.motion.row(i), *y = p.motion.row(j);
+    double d2 = 0;
+    for (int k = 0; k < 3; ++k) {
+      double d = y[k] - x[k];
+      if (d > s.domain.half_period(k)) d -= s.domain.period(k);
+      if (d < -s.domain.half_period(k)) d += s.domain.period(k);
+      d2 += d * d;
+    }
+    const double overlap = x[lane::radius] + y[lane::radius] - std::sqrt(d2);
+    const double share = 0.5 * overlap * (1 / x[lane::radius] + 1 / y[lane::radius]);
+    if (share > worst) {
+      worst = share;
+      a = i;
+      b = j;
+    }
+  }
+  const std::string who = worst > 0.5 * deepest ? place_of(p, a) + " and " + place_of(p, b) : "a particle and a wall";
+  throw PhysicsError(fmt::format(
+      "t = {:.9g} s: an overlap of {:.3g} of twice the effective radius exceeds simulation.max_overlap = {:.3g}, between {}. "
+      "The material is too soft for these speeds, or the time step too long: see `scree check`",
+      time, deepest, limit, who));
+}
+
+}  // namespace
+
+void guard_step(const ParticleSystem& system, const SweepFindings& findings, double max_overlap, double time) {
+  if (findings.sound && findings.inside && findings.deepest <= max_overlap) return;
+  if (!findings.sound) report_unsound(system.particles, time);
+  if (findings.deepest > max_overlap) report_deep(system, findings.deepest, max_overlap, time);
+  report_lost(system, time);
+}
+
+}  // namespace scree

@@ -1,0 +1,13 @@
+// Physics gone wrong: found after every step, explained with particle, place and time.
+#pragma once
+
+#include "scree/particles/system.h"
+
+namespace scree {
+
+/// Throws PhysicsError if the step that `findings` reports left a speed that is no number, an overlap deeper than
+/// `max_overlap` (a fraction of twice the effective radius), or a particle outside the domain. `time` is the time
+/// after the step [s].
+void guard_step(const ParticleSystem& system, const SweepFindings& findings, double max_overlap, double time);
+
+}  // namespace scree

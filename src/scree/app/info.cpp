@@ -1,0 +1,39 @@
+#include "scree/app/info.h"
+
+#include <H5public.h>
+#include <fmt/format.h>
+#include <openssl/crypto.h>
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include "scree/app/data_files.h"
+#include "scree/app/run.h"
+#include "scree/base/version.h"
+#include "scree/particles/sweep.h"
+
+namespace scree {
+
+std::string info_text() {
+  utsname system{};
+  uname(&system);
+  const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  std::string text;
+  const auto line = [&text](const char* what, const std::string& value) {
+    text += fmt::format("{:<18} {}\n", what, value);
+  };
+  line("scree", fmt::format("{} ({})", version, commit));
+  line("build", fmt::format("{}, {}", build_type, compiler));
+  line("HDF5", fmt::format("{}.{}.{}", major, minor, release));
+  line("OpenSSL", OpenSSL_version(OPENSSL_VERSION_STRING));
+  line("instruction set", sweep_kernels({}, 1).name);
+  line("processors", fmt::format("{} (this process may use {})", sysconf(_SC_NPROCESSORS_ONLN), available_processors()));
+  line("memory", fmt::format("{:.1f} GiB", memory / (1024.0 * 1024.0 * 1024.0)));
+  line("system", fmt::format("{} {} {}", system.sysname, system.release, system.machine));
+  line("examples", data_directory("examples").string());
+  line("devices", "cpu");
+  return text;
+}
+
+}  // namespace scree

@@ -1,0 +1,39 @@
+// The list of models: every name that a case may choose and what it stands for, one line per model.
+#pragma once
+
+#include <string>
+
+#include "scree/particles/fields.h"
+
+namespace scree {
+
+inline BodyForce body_force(const std::string& name) {
+  if (name == "uniform") return BodyForce::uniform;
+  if (name == "central") return BodyForce::central;
+  if (name == "expression") return BodyForce::expression;
+  if (name == "rotating") return BodyForce::rotating;
+  return BodyForce::none;
+}
+
+inline FlowKind flow_kind(const std::string& name) {
+  if (name == "still") return FlowKind::still;
+  if (name == "uniform") return FlowKind::uniform;
+  if (name == "taylor_green") return FlowKind::taylor_green;
+  if (name == "shear") return FlowKind::shear;
+  if (name == "expression") return FlowKind::expression;
+  return FlowKind::none;
+}
+
+inline int drag_law(const std::string& name) {
+  if (name == "stokes") return SC_DRAG_STOKES;
+  if (name == "schiller_naumann") return SC_DRAG_SCHILLER_NAUMANN;
+  return SC_DRAG_NONE;
+}
+
+inline int integrator(const std::string& name) {
+  if (name == "explicit") return SC_EXPLICIT;
+  if (name == "implicit") return SC_IMPLICIT;
+  return SC_LEAPFROG;
+}
+
+}  // namespace scree

@@ -1,0 +1,166 @@
+#include "scree/app/outputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "scree/analysis/measure.h"
+#include "scree/app/columns.h"
+#include "scree/app/derived.h"
+
+namespace scree {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+
+std::int64_t first_due(double interval, std::int64_t step, double dt) {
+  return interval > 0 ? (step == 0 ? 0 : next_due(step, interval, dt)) : never;
+}
+
+}  // namespace
+
+std::int64_t next_due(std::int64_t step, double interval, double dt) {
+  if (interval <= 0) return never;
+  // A step that falls on an instant up to rounding belongs to it.
+  const double hair = 1e-9;
+  double instant = std::floor(static_cast<double>(step) * dt / interval + hair) + 1;
+  std::int64_t due = static_cast<std::int64_t>(std::ceil(instant * interval / dt - hair));
+  while (due <= step) due = static_cast<std::int64_t>(std::ceil(++instant * interval / dt - hair));
+  return due;
+}
+
+Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& clock, std::int64_t end_step,
+                 const Archive* archive)
+    : case_(c), directory_(directory), end_step_(end_step) {
+  const double run = static_cast<double>(end_step) * clock.dt;
+  series_interval_ = c.output.series > 0 ? c.output.series : run / 200;
+  const bool agglomerates = c.analysis.agglomerates;
+  const Domain domain = build_domain(c);
+  const double now = clock.now();
+  if (archive) {
+    series_.emplace(SeriesWriter::resume(directory.series(), series_columns(agglomerates), now));
+    if (!c.output.tracks.empty()) tracks_.emplace(SeriesWriter::resume(directory.tracks(), track_columns(), now));
+    if (agglomerates) sizes_.emplace(SeriesWriter::resume(directory.path() / "agglomerates.csv", size_columns(), now));
+    frames_.emplace(FrameWriter::resume(directory.path(), domain, program_name(), now));
+    books_ = books_from_numbers(archive->get<double>("books"));
+    impacts_ = archive->integer("impacts_at_row");
+    impact_speed_ = archive->integer("impact_speed_at_row");
+    row_step_ = archive->integer("row_step");
+    frame_step_ = archive->integer("frame_step");
+    checkpoint_step_ = clock.step;
+  } else {
+    series_.emplace(SeriesWriter::create(directory.series(), series_columns(agglomerates)));
+    if (!c.output.tracks.empty()) tracks_.emplace(SeriesWriter::create(directory.tracks(), track_columns()));
+    if (agglomerates) sizes_.emplace(SeriesWriter::create(directory.path() / "agglomerates.csv", size_columns()));
+    frames_.emplace(FrameWriter::create(directory.path(), domain, program_name()));
+  }
+  row_due_ = first_due(series_interval_, clock.step, clock.dt);
+  frame_due_ = c.output.frames > 0 ? first_due(c.output.frames, clock.step, clock.dt) : (clock.step == 0 ? 0 : never);
+  checkpoint_due_ = next_due(clock.step, c.output.checkpoints, clock.dt);
+}
+
+void Outputs::write_due(Simulation& simulation) {
+  const Clock& clock = simulation.clock();
+  const std::int64_t every = static_cast<std::int64_t>(case_.ledger.every);
+  if (clock.step >= row_due_) write_row(simulation);
+  else if (every > 0 && clock.step % every == 0) enter_books(simulation);
+  if (clock.step >= frame_due_) write_frame(simulation);
+  if (clock.step >= checkpoint_due_) write_checkpoint(simulation);
+}
+
+void Outputs::enter_books(Simulation& simulation) {
+  const Clock& clock = simulation.clock();
+  measured_ = measure(simulation.sample(), simulation.fields(), clock.now());
+  leave_out(measured_, case_.ledger.omit);
+  if (!books_) books_ = open_books(measured_);
+  enter(*books_, measured_);
+  row_ = scree::balance(*books_, measured_, simulation.system().domain.any_periodic());
+  if (case_.ledger.energy_tolerance > 0) check_books(*books_, measured_, case_.ledger.energy_tolerance, clock.now());
+}
+
+void Outputs::write_row(Simulation& simulation) {
+  const Clock& clock = simulation.clock();
+  row_due_ = next_due(clock.step, series_interval_, clock.dt);
+  if (row_step_ == clock.step) return;
+  enter_books(simulation);
+  const Stopwatch watch(simulation.stages(), "output");
+  const Sample& sample = simulation.sample();
+  const Tally& tally = simulation.tally();
+  SeriesRow row;
+  row.time = clock.now();
+  row.step = clock.step;
+  row.measured = measured_;
+  row.measured.body_work -= books_->start.body_work;
+  row.balance = row_;
+  row.contacts = sample.findings.contacts;
+  row.max_overlap = std::max(0.0, sample.findings.deepest);
+  row.speeds = measure_speeds(sample);
+  row.collision_speed = mean_impact_speed(tally.impacts - impacts_, tally.impact_speed - impact_speed_);
+  if (!typical_impact_made_) {
+    typical_impact_ = typical_impact(case_, simulation.system().materials);
+    typical_impact_made_ = true;
+  }
+  row.stickiness = typical_impact_ ? stickiness_number(*typical_impact_, row.collision_speed) : nan;
+  impacts_ = tally.impacts;
+  impact_speed_ = tally.impact_speed;
+  if (case_.analysis.agglomerates) {
+    const Agglomerates found = find_agglomerates(sample.system.particles, sample.system.domain, bonds_of(sample.system));
+    row.agglomerates = summarize(found);
+    append_sizes(*sizes_, row.time, size_distribution(found));
+    const double wanted = case_.analysis.stop_agglomerated;
+    agglomerated_ = wanted > 0 && row.agglomerates->agglomerated_fraction > wanted;
+  }
+  series_->append(values_of(row));
+  if (tracks_) tracks_->append(track_rows(sample, case_.output.tracks, row.time));
+  row_step_ = clock.step;
+  last_good_ = simulation.save();
+  save_books(*last_good_);
+}
+
+void Outputs::write_frame(Simulation& simulation) {
+  const Clock& clock = simulation.clock();
+  frame_due_ = next_due(clock.step, case_.output.frames, clock.dt);
+  if (frame_step_ == clock.step) return;
+  const Sample& sample = simulation.sample();
+  const Stopwatch watch(simulation.stages(), "output");
+  const FrameData data = frame_data(sample, case_.analysis.agglomerates);
+  frames_->write(clock.now(), static_cast<std::uint64_t>(clock.step), frame_columns(data));
+  frame_step_ = clock.step;
+}
+
+void Outputs::save_books(Archive& archive) const {
+  archive.put("books", books_as_numbers(*books_));
+  archive.set("impacts_at_row", impacts_);
+  archive.set("impact_speed_at_row", impact_speed_);
+  archive.set("row_step", row_step_);
+  archive.set("frame_step", frame_step_);
+  archive.set("version", program_name());
+}
+
+void Outputs::write_checkpoint(const Simulation& simulation) {
+  const Clock& clock = simulation.clock();
+  checkpoint_due_ = next_due(clock.step, case_.output.checkpoints, clock.dt);
+  if (checkpoint_step_ == clock.step) return;
+  Archive archive = simulation.save();
+  save_books(archive);
+  write_archive(directory_.checkpoint(static_cast<std::uint64_t>(clock.step)), archive);
+  directory_.prune_checkpoints();
+  checkpoint_step_ = clock.step;
+}
+
+std::string Outputs::write_last_good() const {
+  if (!last_good_) return {};
+  const auto path = directory_.checkpoint(static_cast<std::uint64_t>(last_good_->integer("step")));
+  write_archive(path, *last_good_);
+  directory_.prune_checkpoints();
+  return path.string();
+}
+
+void Outputs::finish(Simulation& simulation) {
+  write_row(simulation);
+  write_frame(simulation);
+  write_checkpoint(simulation);
+}
+
+}  // namespace scree

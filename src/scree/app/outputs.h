@@ -1,0 +1,73 @@
+// What a run writes while it goes on: series, tracks, frames, books and checkpoints, each when it is due.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scree/analysis/agglomerate_summary.h"
+#include "scree/analysis/ledger.h"
+#include "scree/app/simulation.h"
+#include "scree/app/sticking.h"
+#include "scree/output/frames.h"
+#include "scree/output/run_directory.h"
+#include "scree/output/series.h"
+
+namespace scree {
+
+/// The first step after `step` at which something is due that is written every `interval` seconds.
+std::int64_t next_due(std::int64_t step, double interval, double dt);
+
+class Outputs {
+ public:
+  /// Opens the files of a run that ends at `end_step`. With `archive` the run continues from it: later rows and frames
+  /// are dropped.
+  Outputs(const Case& c, const RunDirectory& directory, const Clock& clock, std::int64_t end_step,
+          const Archive* archive);
+
+  /// Writes whatever is due at the present step of the simulation. Throws PhysicsError when the books do not close.
+  void write_due(Simulation& simulation);
+
+  /// Writes a checkpoint of the present state and removes old ones.
+  void write_checkpoint(const Simulation& simulation);
+
+  /// Writes the state that the last row of the series saw, for when the present one is lost. Returns the file's name.
+  std::string write_last_good() const;
+
+  /// Row, frame and checkpoint of the present state, due or not, unless they are there already.
+  void finish(Simulation& simulation);
+
+  /// The latest balance of the books.
+  const LedgerRow& balance() const { return row_; }
+  const Measured& measured() const { return measured_; }
+
+  /// True when enough particles are in agglomerates for the case to end.
+  bool agglomerated() const { return agglomerated_; }
+
+ private:
+  void enter_books(Simulation& simulation);
+  void write_row(Simulation& simulation);
+  void write_tracks(const Sample& sample, double time);
+  void write_frame(Simulation& simulation);
+  void save_books(Archive& archive) const;
+
+  Case case_;
+  const RunDirectory& directory_;
+  std::int64_t end_step_;
+  double series_interval_;
+  std::optional<SeriesWriter> series_, tracks_, sizes_;
+  std::optional<FrameWriter> frames_;
+  std::int64_t row_due_ = 0, frame_due_ = 0, checkpoint_due_ = 0, books_due_ = 0;
+  std::int64_t row_step_ = -1, frame_step_ = -1, checkpoint_step_ = -1;
+  std::optional<Books> books_;
+  Measured measured_;
+  LedgerRow row_;
+  std::int64_t impacts_ = 0, impact_speed_ = 0;  // of the tally at the last row
+  std::optional<CohesiveImpact> typical_impact_;  // for the stickiness number; made with the first row
+  bool typical_impact_made_ = false;
+  std::optional<Archive> last_good_;
+  bool agglomerated_ = false;
+};
+
+}  // namespace scree

@@ -1,0 +1,116 @@
+#include "scree/app/simulation.h"
+
+#include <cmath>
+
+#include "scree/app/derived.h"
+#include "scree/app/guard.h"
+#include "scree/app/models.h"
+
+namespace scree {
+Simulation::Simulation(const Case& c, int threads)
+    : case_(c), threads_(threads), fields_(build_fields(c)), prescribed_(build_prescribed(c)) {
+  system_ = build_system(case_, fields_);
+  lists_ = prepare_lists(system_, c.simulation.skin);
+  clock_.dt = time_step_of(c, system_.materials);
+}
+
+// The table of contents of the program: what happens in a step, in order.
+void Simulation::step() {
+  refresh_neighbours();
+  evaluate_fields();
+  advance_particles();
+  move_prescribed_bodies();
+  clock_.advance();
+  guard();
+}
+
+void Simulation::refresh_neighbours() {
+  const Stopwatch watch(stages_, "neighbours");
+  refresh_lists(system_, lists_, threads_);
+}
+
+void Simulation::evaluate_fields() {
+  if (!act_locally(fields_)) return;
+  const Stopwatch watch(stages_, "fields");
+  evaluate(fields_, system_.particles, clock_.now(), field_);
+}
+
+/// Contacts, kick and drift in one pass: each tile of particles passes through the cache once.
+void Simulation::advance_particles() {
+  const Stopwatch watch(stages_, "contacts and motion");
+  SweepView view = view_of(system_, lists_, move_now(), contact_time_now());
+  view.field = act_locally(fields_) ? field_.data() : nullptr;
+  findings_ = sweep(lists_.kernels, view, lists_.plan);
+  tally_.contacts += findings_.contacts;
+  tally_.impacts += findings_.impacts;
+  tally_.impact_speed += findings_.impact_speed;
+  note_travel(lists_, std::sqrt(findings_.fastest2) * clock_.dt);
+}
+
+/// The pass has carried prescribed bodies on with their old velocity; put them where the formula at mid step takes them.
+void Simulation::move_prescribed_bodies() {
+  if (prescribed_.empty()) return;
+  const bool leapfrog = move_now().scheme == SC_LEAPFROG;
+  const double middle = clock_.now() + 0.5 * clock_.dt, end = clock_.now() + clock_.dt;
+  Particles& p = system_.particles;
+  double fastest2 = 0;
+  for (PrescribedGroup& group : prescribed_)
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (p.group[i] != group.group) continue;
+      double* m = p.motion.row(i);
+      const double at_middle[4] = {m[0], m[1], m[2], middle}, at_end[4] = {m[0], m[1], m[2], end};
+      double speed2 = 0;
+      for (int k = 0; k < 3; ++k) {
+        const double drift = group.velocity[k](at_middle);
+        m[k] += clock_.dt * (drift - m[lane::vx + k]);
+        m[lane::vx + k] = leapfrog ? drift : group.velocity[k](at_end);
+        speed2 += drift * drift;
+        if (m[k] < system_.domain.min[k] && system_.domain.periodic[k]) {
+          m[k] += system_.domain.period(k);
+          --p.image.row(i)[k];
+        }
+        if (m[k] >= system_.domain.max[k] && system_.domain.periodic[k]) {
+          m[k] -= system_.domain.period(k);
+          ++p.image.row(i)[k];
+        }
+      }
+      fastest2 = std::max(fastest2, speed2);
+    }
+  note_travel(lists_, std::sqrt(fastest2) * clock_.dt);
+}
+
+void Simulation::guard() const {
+  guard_step(system_, findings_, case_.simulation.max_overlap, clock_.now());
+}
+
+sc_move Simulation::move_now() const {
+  sc_move m{};
+  m.scheme = integrator(case_.simulation.integrator);
+  m.drag = fields_.drag;
+  const bool starts_leapfrog = m.scheme == SC_LEAPFROG && clock_.step == 0;
+  m.kick = starts_leapfrog ? 0.5 * clock_.dt : clock_.dt;
+  m.drift = clock_.dt;
+  m.gravity = fields_.uniform;
+  m.rotation = frame_rotation(fields_, clock_.now());
+  m.fluid_density = fields_.density;
+  m.fluid_viscosity = fields_.viscosity;
+  return m;
+}
+
+sc_contact_time Simulation::contact_time_now() const {
+  const sc_move m = move_now();
+  const bool first = clock_.step == 0;
+  return {first ? 0.0 : clock_.dt, m.scheme == SC_LEAPFROG && !first ? 0.5 * clock_.dt : 0.0, m.kick};
+}
+
+const Sample& Simulation::sample() {
+  if (sampled_step_ == clock_.step) return sample_;
+  refresh_neighbours();
+  evaluate_fields();
+  const Stopwatch watch(stages_, "samples");
+  take_sample(system_, lists_, move_now(), contact_time_now(), act_locally(fields_) ? field_.data() : nullptr, sample_);
+  sampled_step_ = clock_.step;
+  return sample_;
+}
+
+}  // namespace scree

@@ -1,0 +1,89 @@
+// The simulation: its state, and the step that advances it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scree/app/build.h"
+#include "scree/base/stopwatch.h"
+#include "scree/input/case.h"
+#include "scree/output/archive.h"
+#include "scree/particles/sample.h"
+
+namespace scree {
+
+/// Time as a number of equal steps, so that it does not collect rounding.
+struct Clock {
+  std::int64_t step = 0;
+  double dt = 0;  // [s]
+
+  double now() const { return static_cast<double>(step) * dt; }
+  void advance() { ++step; }
+};
+
+/// What has been counted since the start.
+struct Tally {
+  std::int64_t contacts = 0;      // evaluations of acting contacts
+  std::int64_t impacts = 0;       // pairs that began to touch
+  std::int64_t impact_speed = 0;  // sum of their approach speeds [speed_quantum]
+};
+
+class Simulation {
+ public:
+  /// Builds the initial state of a case. Throws InputError if the case cannot be run.
+  Simulation(const Case& c, int threads);
+
+  /// Advances by one time step. Throws PhysicsError when the physics has gone wrong.
+  void step();
+
+  /// The present state with all velocities at the time of the positions.
+  const Sample& sample();
+
+  /// SHA-256 over time, particles by id and contacts by key, as hexadecimal text.
+  std::string state_hash() const;
+
+  /// Everything that continuing to the last bit needs.
+  Archive save() const;
+
+  /// Continues from what save() gave. Throws InputError if it does not fit the case.
+  void restore(const Archive& archive);
+
+  const Case& input() const { return case_; }
+  const Clock& clock() const { return clock_; }
+  const ParticleSystem& system() const { return system_; }
+  const Fields& fields() const { return fields_; }
+  const Tally& tally() const { return tally_; }
+  const SweepFindings& findings() const { return findings_; }
+  const StageSeconds& stages() const { return stages_; }
+  StageSeconds& stages() { return stages_; }
+  const char* instruction_set() const { return lists_.kernels.name; }
+  int threads() const { return threads_; }
+
+ private:
+  void move_prescribed_bodies();
+  void refresh_neighbours();
+  void evaluate_fields();
+  void advance_particles();
+  void guard() const;
+
+  sc_move move_now() const;
+  sc_contact_time contact_time_now() const;
+
+  Case case_;
+  int threads_;
+  ParticleSystem system_;
+  Fields fields_;
+  std::vector<PrescribedGroup> prescribed_;
+  ContactLists lists_;
+  Buffer<sc_field> field_;
+  Clock clock_;
+  Tally tally_;
+  SweepFindings findings_;
+  StageSeconds stages_;
+  Sample sample_;
+  std::int64_t sampled_step_ = -1;
+};
+
+}  // namespace scree

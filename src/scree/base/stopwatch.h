@@ -1,0 +1,25 @@
+// Seconds spent in each stage of a run.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <string>
+
+namespace scree {
+
+using StageSeconds = std::map<std::string, double>;
+
+/// Adds the time from its birth to its death to one stage.
+class Stopwatch {
+ public:
+  Stopwatch(StageSeconds& stages, const char* stage) : seconds_(stages[stage]) {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace scree

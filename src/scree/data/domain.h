@@ -1,0 +1,28 @@
+// The simulated box: its corners and which axes are periodic.
+#pragma once
+
+#include <array>
+#include <limits>
+
+namespace scree {
+
+/// An axis-aligned box. Along a periodic axis positions live in [min, max) and differences are taken to the nearest
+/// image; along the others a particle that leaves the box is lost.
+struct Domain {
+  std::array<double, 3> min{}, max{};
+  std::array<bool, 3> periodic{};
+
+  double length(int axis) const { return max[axis] - min[axis]; }
+
+  /// Length of a period, or 0 along an axis that is not periodic.
+  double period(int axis) const { return periodic[axis] ? length(axis) : 0.0; }
+
+  /// Half a period, or infinity: a difference is reduced when it is larger.
+  double half_period(int axis) const {
+    return periodic[axis] ? 0.5 * length(axis) : std::numeric_limits<double>::infinity();
+  }
+
+  bool any_periodic() const { return periodic[0] || periodic[1] || periodic[2]; }
+};
+
+}  // namespace scree

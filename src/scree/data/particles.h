@@ -1,0 +1,83 @@
+// The particles of this rank: plain arrays, each declared by one line of the table below.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "scree/compute/buffer.h"
+
+namespace scree {
+
+/// Which motion a field needs when particles are spread over ranks.
+enum class Travels { always, on_migration, never };
+
+// FIELD(name, type, components, travels, saved, what the components are [unit])
+//
+// What a pair reads together lies together: `motion` is one cache line, `spin` half of one; a contact reads 96 bytes of
+// each partner. The spin is kept as radius times angular velocity, so that every lane a contact needs is a sum or a
+// difference of the two rows.
+#define SCREE_PARTICLE_FIELDS(FIELD)                                                                                  \
+  FIELD(motion, double, 8, always, true, "x y z [m] radius [m] vx vy vz [m/s] inverse_mass [1/kg]")                   \
+  FIELD(spin, double, 4, always, true, "radius * wx wy wz [m/s] inverse_radius [1/m]")                                \
+  FIELD(id, std::int64_t, 1, on_migration, true, "id for life")                                                       \
+  FIELD(material, std::int32_t, 1, on_migration, true, "index into the materials")                                    \
+  FIELD(group, std::int32_t, 1, on_migration, true, "index into the particle groups of the case")                     \
+  FIELD(image, std::int32_t, 4, on_migration, true, "periods travelled along x y z, unused")                          \
+  FIELD(mass, double, 1, on_migration, true, "mass [kg], also of bodies that move as prescribed")                     \
+  FIELD(effect_excess, double, 1, on_migration, true, "effect radius minus body radius [m]")                          \
+  FIELD(loss, double, 4, on_migration, true, "energy lost by normal damping, sliding, rolling [J], unused")           \
+  FIELD(work, double, 4, on_migration, true, "work by drag, body force, prescribed motion [J], unused")               \
+  FIELD(impulse, double, 4, on_migration, true, "impulse of drag, fields, walls, fixed bodies x y z [N s], unused")    \
+  FIELD(angular_impulse, double, 4, on_migration, true, "their angular impulse about the origin x y z [N m s], unused")
+
+/// One field: `components` values per particle, contiguous.
+template <class T, int Components>
+struct Column {
+  using value_type = T;
+  static constexpr int components = Components;
+  Buffer<T> values;
+
+  T* row(std::size_t i) { return values.data() + i * Components; }
+  const T* row(std::size_t i) const { return values.data() + i * Components; }
+  T& operator[](std::size_t i) requires(Components == 1) { return values[i]; }
+  const T& operator[](std::size_t i) const requires(Components == 1) { return values[i]; }
+};
+
+/// Components of Particles::motion and ::spin by name.
+namespace lane {
+enum : int { x = 0, y = 1, z = 2, radius = 3, vx = 4, vy = 5, vz = 6, inverse_mass = 7 };
+enum : int { sx = 0, sy = 1, sz = 2, inverse_radius = 3 };
+}  // namespace lane
+
+class Particles {
+ public:
+#define FIELD(name, type, components, travels, saved, doc) Column<type, components> name;
+  SCREE_PARTICLE_FIELDS(FIELD)
+#undef FIELD
+
+  std::size_t size() const { return size_; }
+
+  /// New particles have all fields zero.
+  void resize(std::size_t n);
+
+  /// Puts particle order[i] at place i, in every field.
+  void permute(const std::vector<std::uint32_t>& order);
+
+  /// Calls visit(name, column, travels, saved, doc) for every field, in the order of the table.
+  template <class Visit>
+  void for_each_field(Visit&& visit) {
+#define FIELD(name, type, components, travels, saved, doc) visit(std::string_view(#name), name, Travels::travels, saved, doc);
+    SCREE_PARTICLE_FIELDS(FIELD)
+#undef FIELD
+  }
+
+  /// Memory of one particle over all fields [bytes].
+  static std::size_t bytes_per_particle();
+
+ private:
+  std::size_t size_ = 0;
+};
+
+}  // namespace scree

@@ -1,0 +1,154 @@
+#include "scree/particles/contacts.h"
+
+#include <algorithm>
+
+namespace scree {
+
+PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::vector<std::int32_t>& place) {
+  PairContacts out;
+  out.pairs = std::move(fresh);
+  out.remembers_rolling = old.remembers_rolling;
+  const std::size_t padded = out.pairs.count + candidate_padding;
+  out.active.resize(padded);
+  out.slide.resize(4 * padded);
+  if (out.remembers_rolling) out.roll.resize(4 * padded);
+#pragma omp parallel for schedule(static)
+  for (std::size_t c = 0; c < old.pairs.count; ++c) {
+    if (!old.active[c]) continue;
+    const std::int32_t a = place[old.pairs.owner[c]], b = place[old.pairs.partner[c]];
+    const double sign = a < b ? 1.0 : -1.0;
+    const std::int32_t owner = std::min(a, b), partner = std::max(a, b);
+    const auto* begin = out.pairs.partner.begin();
+    const auto* last = begin + out.pairs.first[owner + 1];
+    const auto* found = std::lower_bound(begin + out.pairs.first[owner], last, partner);
+    if (found == last || *found != partner) continue;  // parted in the very step before the list was made
+    const std::size_t to = found - begin;
+    out.active[to] = 1;
+    for (int k = 0; k < 3; ++k) out.slide[4 * to + k] = sign * old.slide[4 * c + k];
+    out.slide[4 * to + 3] = old.slide[4 * c + 3];
+    if (!out.remembers_rolling) continue;
+    for (int k = 0; k < 4; ++k) out.roll[4 * to + k] = sign * old.roll[4 * c + k];
+  }
+  return out;
+}
+
+namespace {
+
+/// For each particle the pairs it takes part in, ordered by the partner's id.
+struct Incidence {
+  Buffer<std::int32_t> first, pair;
+};
+
+Incidence incidence_by_id(const Candidates& pairs, const Particles& particles) {
+  const std::int32_t n = static_cast<std::int32_t>(particles.size());
+  Incidence out;
+  out.first.resize(n + 1);
+  out.pair.resize(2 * pairs.count);
+  for (std::size_t c = 0; c < pairs.count; ++c) {
+    ++out.first[pairs.owner[c] + 1];
+    ++out.first[pairs.partner[c] + 1];
+  }
+  for (std::int32_t p = 0; p < n; ++p) out.first[p + 1] += out.first[p];
+  Buffer<std::int32_t> next = out.first;
+  for (std::size_t c = 0; c < pairs.count; ++c) {
+    out.pair[next[pairs.owner[c]]++] = static_cast<std::int32_t>(c);
+    out.pair[next[pairs.partner[c]]++] = static_cast<std::int32_t>(c);
+  }
+#pragma omp parallel for schedule(static)
+  for (std::int32_t p = 0; p < n; ++p) {
+    const auto partner_id = [&](std::int32_t c) {
+      return particles.id[pairs.owner[c] == p ? pairs.partner[c] : pairs.owner[c]];
+    };
+    std::sort(out.pair.begin() + out.first[p], out.pair.begin() + out.first[p + 1],
+              [&](std::int32_t a, std::int32_t b) { return partner_id(a) < partner_id(b); });
+  }
+  return out;
+}
+
+void cut_into_ranges(const Candidates& pairs, std::int32_t n, int threads, SweepPlan& plan) {
+  // A particle costs about as much to move as three candidates cost to look at.
+  const auto cost = [&](std::int32_t p) { return 3.0 * p + pairs.first[p]; };
+  plan.ranges.resize(threads);
+  std::int32_t p = 0;
+  for (int t = 0; t < threads; ++t) {
+    SweepRange& range = plan.ranges[t];
+    range.begin = p;
+    const double share = cost(n) * (t + 1) / threads;
+    while (p < n && (t == threads - 1 || cost(p) < share)) {
+      range.tiles.push_back(p);
+      const std::int32_t tile = p++;
+      while (p < n && pairs.first[p + 1] - pairs.first[tile] <= tile_size && p - tile < tile_size) ++p;
+    }
+    range.tiles.push_back(p);
+    range.end = p;
+  }
+}
+
+void defer_shared(const Candidates& pairs, SweepPlan& plan) {
+  for (std::size_t t = 0; t + 1 < plan.ranges.size(); ++t) {
+    const SweepRange& range = plan.ranges[t];
+    for (std::int32_t c = pairs.first[range.begin]; c < pairs.first[range.end]; ++c)
+      if (pairs.partner[c] >= range.end) plan.deferred[pairs.partner[c]] = 1;
+  }
+  for (SweepRange& range : plan.ranges)
+    for (std::int32_t p = range.begin; p < range.end; ++p)
+      if (plan.deferred[p]) range.deferred.push_back(p);
+}
+
+/// Walks through the sweep of one range, handing out slots as pairs are evaluated and taking them back as partners are
+/// moved. Slots are numbered from 0; returns how many were needed.
+std::int32_t assign_slots(const Candidates& pairs, const Incidence& incidence, const SweepRange& range,
+                          SweepPlan& plan) {
+  std::vector<std::int32_t> free;
+  std::int32_t used = 0;
+  for (std::size_t tile = 0; tile + 1 < range.tiles.size(); ++tile) {
+    for (std::int32_t c = pairs.first[range.tiles[tile]]; c < pairs.first[range.tiles[tile + 1]]; ++c) {
+      if (free.empty()) {
+        plan.slot[c] = used++;
+      } else {
+        plan.slot[c] = free.back();
+        free.pop_back();
+      }
+    }
+    for (std::int32_t p = range.tiles[tile]; p < range.tiles[tile + 1]; ++p) {
+      if (plan.deferred[p]) continue;
+      for (std::int32_t k = incidence.first[p]; k < incidence.first[p + 1]; ++k) {
+        const std::int32_t c = incidence.pair[k];
+        if (pairs.partner[c] == p && !plan.deferred[pairs.owner[c]]) free.push_back(plan.slot[c]);
+      }
+    }
+  }
+  return used;
+}
+
+}  // namespace
+
+SweepPlan plan_sweep(const Candidates& pairs, const Particles& particles, int threads) {
+  const std::int32_t n = static_cast<std::int32_t>(particles.size());
+  SweepPlan plan;
+  plan.deferred.resize(n);
+  plan.slot.resize(pairs.count + candidate_padding);
+  cut_into_ranges(pairs, n, threads, plan);
+  defer_shared(pairs, plan);
+  const Incidence incidence = incidence_by_id(pairs, particles);
+  std::vector<std::int32_t> base(threads + 1, 0);
+#pragma omp parallel for schedule(static, 1)
+  for (int t = 0; t < threads; ++t) base[t + 1] = assign_slots(pairs, incidence, plan.ranges[t], plan);
+  for (int t = 0; t < threads; ++t) base[t + 1] += base[t];
+  plan.slots = base[threads];
+#pragma omp parallel for schedule(static, 1)
+  for (int t = 1; t < threads; ++t)
+    for (std::int32_t c = pairs.first[plan.ranges[t].begin]; c < pairs.first[plan.ranges[t].end]; ++c)
+      plan.slot[c] += base[t];
+  plan.gather_first = incidence.first;
+  plan.gather.resize(2 * pairs.count);
+#pragma omp parallel for schedule(static)
+  for (std::int32_t p = 0; p < n; ++p)
+    for (std::int32_t k = incidence.first[p]; k < incidence.first[p + 1]; ++k) {
+      const std::int32_t c = incidence.pair[k];
+      plan.gather[k] = gather_entry(plan.slot[c], pairs.partner[c] == p);
+    }
+  return plan;
+}
+
+}  // namespace scree

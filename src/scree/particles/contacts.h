@@ -1,0 +1,61 @@
+// Contacts between particles: what each candidate pair remembers, and its way into the sums of its two partners.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scree/compute/buffer.h"
+#include "scree/data/particles.h"
+#include "scree/particles/neighbours.h"
+#include "scree/particles/sweep_view.h"
+
+namespace scree {
+
+/// The candidate pairs with their memory. Directions are those from the owner to the partner; swapping the two changes
+/// every sign and no magnitude, so the bits do not depend on who is stored first.
+struct PairContacts {
+  Candidates pairs;
+  Buffer<std::uint8_t> active;  // the contact acted at the last evaluation
+  Buffer<double> slide;         // [pairs][4]: stretch of the tangential spring x y z, JKR bond
+  Buffer<double> roll;          // [pairs][4]: stretch of the rolling spring x y z, of the twisting spring; empty if unused
+  bool remembers_rolling = false;
+};
+
+/// The memory of `old` contacts moved to the candidates `fresh`; `place` tells where each particle went.
+PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::vector<std::int32_t>& place);
+
+/// One particle's side of a contact: the slot it reads and its sign there.
+inline constexpr std::uint32_t gather_entry(std::int32_t slot, bool is_partner) {
+  return (static_cast<std::uint32_t>(slot) << 1) | (is_partner ? 1u : 0u);
+}
+
+/// A contiguous range of particles that one thread sweeps, in tiles of whole owners.
+struct SweepRange {
+  std::int32_t begin = 0, end = 0;          // particles
+  std::vector<std::int32_t> tiles;          // first particle of each tile, and the end
+  std::vector<std::int32_t> deferred;       // particles with pairs owned by another range: they move after a barrier
+};
+
+/// How one pass over all contacts goes: each pair writes its force into a slot; each particle sums its slots in the
+/// order of its partners' ids, whatever the storage order and the number of threads.
+///
+/// A slot is free again once both partners have been moved, so that the slots in use stay in cache.
+struct SweepPlan {
+  std::vector<SweepRange> ranges;
+  Buffer<std::int32_t> slot;            // [pairs]
+  Buffer<std::int32_t> gather_first;    // [particles + 1]
+  Buffer<std::uint32_t> gather;         // gather_entry
+  Buffer<std::uint8_t> deferred;        // [particles]
+  std::int32_t slots = 0;               // in all
+};
+
+/// Memory of one candidate pair: who takes part, what it remembers, its slot and its two gather entries [bytes].
+inline constexpr std::size_t bytes_per_pair(bool remembers_rolling) {
+  return 2 * sizeof(std::int32_t) + sizeof(std::uint8_t) + (remembers_rolling ? 8 : 4) * sizeof(double) +
+         sizeof(std::int32_t) + 2 * sizeof(std::uint32_t);
+}
+
+/// Plans a sweep over `pairs` by `threads` threads.
+SweepPlan plan_sweep(const Candidates& pairs, const Particles& particles, int threads);
+
+}  // namespace scree

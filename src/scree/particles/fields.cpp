@@ -1,0 +1,71 @@
+#include "scree/particles/fields.h"
+
+#include "scree/physics/body/central.h"
+#include "scree/physics/body/rotating_frame.h"
+#include "scree/physics/flow/shear.h"
+#include "scree/physics/flow/taylor_green.h"
+
+namespace scree {
+namespace {
+
+sc_vec value_of(VectorExpression& e, sc_vec x, double time) {
+  const double at[4] = {x.x, x.y, x.z, time};
+  return sc_make_vec(e[0](at), e[1](at), e[2](at));
+}
+
+sc_vec acceleration_at(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, double time) {
+  switch (f.body) {
+    case BodyForce::central: return sc_central_acceleration(x, f.center, f.strength);
+    case BodyForce::rotating:
+      return sc_add(sc_centrifugal(x, f.center, frame_rotation(f, time)), sc_euler(x, f.center, f.angular_acceleration));
+    case BodyForce::expression: return value_of(*formula, x, time);
+    default: return sc_zero_vec();
+  }
+}
+
+sc_vec stream_at(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, double time) {
+  switch (f.flow) {
+    case FlowKind::uniform: return f.stream;
+    case FlowKind::taylor_green: return sc_taylor_green(x, f.amplitude, f.wavenumber);
+    case FlowKind::shear: return sc_shear_flow(x, f.shear_rate, f.shear_origin);
+    case FlowKind::expression: return value_of(*formula, x, time);
+    default: return sc_zero_vec();
+  }
+}
+
+}  // namespace
+
+bool act_locally(const Fields& f) {
+  return f.body == BodyForce::central || f.body == BodyForce::expression || f.body == BodyForce::rotating ||
+         f.drag != SC_DRAG_NONE;
+}
+
+sc_vec frame_rotation(const Fields& f, double time) {
+  if (f.body != BodyForce::rotating) return sc_zero_vec();
+  return sc_add_scaled(f.angular_velocity, time, f.angular_acceleration);
+}
+
+std::array<double, 3> flow_velocity(Fields& f, const double* p, double time) {
+  const sc_vec u = stream_at(f, f.velocity, sc_make_vec(p[0], p[1], p[2]), time);
+  return {u.x, u.y, u.z};
+}
+
+void evaluate(const Fields& fields, const Particles& particles, double time, Buffer<sc_field>& out) {
+  const std::int64_t n = static_cast<std::int64_t>(particles.size());
+  out.resize(particles.size());
+  const double* motion = particles.motion.values.data();
+#pragma omp parallel
+  {
+    // A formula keeps its variables inside: every thread has its own.
+    auto acceleration = fields.acceleration, velocity = fields.velocity;
+    const Fields& f = fields;
+#pragma omp for schedule(static)
+    for (std::int64_t p = 0; p < n; ++p) {
+      const sc_vec x = sc_make_vec(motion[8 * p], motion[8 * p + 1], motion[8 * p + 2]);
+      out[p].acceleration = acceleration_at(f, acceleration, x, time);
+      out[p].fluid = stream_at(f, velocity, x, time);
+    }
+  }
+}
+
+}  // namespace scree

@@ -1,0 +1,111 @@
+#include "scree/particles/sample.h"
+
+#include <omp.h>
+
+#include "scree/base/exact_sum.h"
+#include "scree/physics/contact/law.h"
+#include "scree/physics/touch/sphere_sphere.h"
+
+namespace scree {
+namespace {
+
+sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
+
+sc_contact_state state_of(const Buffer<double>& slide, const Buffer<double>& roll, std::size_t c) {
+  sc_contact_state s{};
+  s.slide = vec_of(&slide[4 * c]);
+  s.bonded = slide[4 * c + 3];
+  if (!roll.empty()) {
+    s.roll = vec_of(&roll[4 * c]);
+    s.twist = roll[4 * c + 3];
+  }
+  return s;
+}
+
+sc_touch touch_of_pair(const ParticleSystem& s, std::size_t c) {
+  const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
+  const double *a = s.particles.motion.row(i), *b = s.particles.motion.row(j);
+  double d[3];
+  for (int k = 0; k < 3; ++k) {
+    d[k] = b[k] - a[k];
+    if (d[k] > s.domain.half_period(k)) d[k] -= s.domain.period(k);
+    if (d[k] < -s.domain.half_period(k)) d[k] += s.domain.period(k);
+  }
+  const double *sa = s.particles.spin.row(i), *sb = s.particles.spin.row(j);
+  sc_sphere_pair p{};
+  p.branch = vec_of(d);
+  p.radii = a[lane::radius] + b[lane::radius];
+  p.velocity = sc_sub(vec_of(a + lane::vx), vec_of(b + lane::vx));
+  p.inverse_mass = a[lane::inverse_mass] + b[lane::inverse_mass];
+  p.rim_speed = sc_add(vec_of(sa), vec_of(sb));
+  p.inverse_radius = sa[lane::inverse_radius] + sb[lane::inverse_radius];
+  p.excess = s.particles.effect_excess[i] + s.particles.effect_excess[j];
+  return sc_touch_spheres(p).touch;
+}
+
+sc_touch touch_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t face) {
+  const double* m = s.particles.motion.row(p);
+  sc_sphere_wall w{};
+  w.position = vec_of(m);
+  w.velocity = vec_of(m + lane::vx);
+  w.rim_speed = vec_of(s.particles.spin.row(p));
+  w.radius = m[lane::radius];
+  w.inverse_mass = m[lane::inverse_mass];
+  w.excess = s.particles.effect_excess[p];
+  return sc_touch_wall(w, s.walls.faces[face]).touch;
+}
+
+struct StoredSums {
+  ExactSum elastic, cohesive;
+
+  void add(const sc_contact_energy& e) {
+    elastic.add(e.elastic);
+    cohesive.add(e.cohesive);
+  }
+};
+
+}  // namespace
+
+StoredEnergy stored_energy(const ParticleSystem& s) {
+  std::vector<StoredSums> part(omp_get_max_threads());
+  const auto& pairs = s.contacts.pairs;
+  const Particles& p = s.particles;
+#pragma omp parallel for schedule(static)
+  for (std::size_t c = 0; c < pairs.count; ++c) {
+    if (!s.contacts.active[c]) continue;
+    const sc_pair_law& law = s.materials.pair(p.material[pairs.owner[c]], p.material[pairs.partner[c]]);
+    part[omp_get_thread_num()].add(
+        sc_contact_energy_of(s.laws, law, touch_of_pair(s, c), state_of(s.contacts.slide, s.contacts.roll, c)));
+  }
+  const WallContacts& walls = s.wall_contacts;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::int32_t w = walls.first[i]; w < walls.first[i + 1]; ++w) {
+      if (!walls.active[w]) continue;
+      const sc_pair_law& law = s.materials.pair(p.material[i], s.walls.faces[walls.wall[w]].material);
+      part[0].add(sc_contact_energy_of(s.laws, law, touch_of_wall(s, i, walls.wall[w]),
+                                       state_of(walls.slide, walls.roll, w)));
+    }
+  StoredSums all;
+  for (const StoredSums& one : part) {
+    all.elastic.add(one.elastic);
+    all.cohesive.add(one.cohesive);
+  }
+  return {all.elastic.value(), all.cohesive.value()};
+}
+
+void take_sample(const ParticleSystem& system, ContactLists& lists, sc_move move, sc_contact_time time,
+                 const sc_field* field, Sample& out) {
+  out.system = system;
+  out.force.resize(4 * system.particles.size());
+  // The kick that brings velocities to the time of the positions: none where they are there already.
+  move.kick = time.lead;
+  move.drift = 0;
+  time.kick = time.lead;
+  SweepView view = view_of(out.system, lists, move, time);
+  view.field = field;
+  view.force = out.force.data();
+  out.findings = sweep(lists.kernels, view, lists.plan);
+  out.stored = stored_energy(out.system);
+}
+
+}  // namespace scree

@@ -1,0 +1,33 @@
+// The state at one instant: velocities, springs and losses brought to the time of the positions.
+#pragma once
+
+#include "scree/kernels/move_sphere.h"
+#include "scree/particles/system.h"
+
+namespace scree {
+
+/// Energy that is stored in contacts [J].
+struct StoredEnergy {
+  double elastic = 0, cohesive = 0;
+};
+
+/// A copy of the system in which every velocity, spring and account belongs to the time of the positions.
+///
+/// The leapfrog keeps velocities half a step behind the positions. The copy has had the half kick that is due, from the
+/// very pass that would make the next step, without a drift.
+struct Sample {
+  ParticleSystem system;
+  Buffer<double> force;  // [n][4]: total contact force x y z on each particle [N]
+  StoredEnergy stored;
+  SweepFindings findings;
+};
+
+/// Brings `out` to the present state of `system`; the slots of `lists` serve as scratch. `move` and `time` are those of the next step; `field` as in a
+/// pass.
+void take_sample(const ParticleSystem& system, ContactLists& lists, sc_move move, sc_contact_time time,
+                 const sc_field* field, Sample& out);
+
+/// Energy in the springs and cohesive bonds of all contacts, an exact sum.
+StoredEnergy stored_energy(const ParticleSystem& system);
+
+}  // namespace scree

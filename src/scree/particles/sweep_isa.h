@@ -1,0 +1,12 @@
+// The instances of sweep_isa.cpp, one for each instruction set.
+#pragma once
+
+#include "scree/particles/sweep_view.h"
+
+namespace scree {
+
+SweepKernels sweep_kernels_baseline(const sc_laws& laws, int materials);
+SweepKernels sweep_kernels_avx2(const sc_laws& laws, int materials);
+SweepKernels sweep_kernels_avx512(const sc_laws& laws, int materials);
+
+}  // namespace scree

@@ -1,0 +1,171 @@
+// The second half of a pass: every particle gathers its slots in the order of its partners, adds its walls, and moves.
+#pragma once
+
+#include "scree/particles/sweep_tile.h"
+
+namespace scree {
+namespace {
+
+/// What a particle has gathered: the lanes of a slot and of a couple.
+struct Gathered {
+  lane8 slot{};    // force x y z, loss normal | turn x y z, loss sliding
+  lane4 couple{};  // couple x y z, loss rolling
+};
+
+[[gnu::always_inline]] inline Gathered gather(const SweepView& v, std::int64_t p) {
+  // The partner feels the opposite force and couple, the same turn; the two share the losses.
+  static constexpr lane8 share[2] = {{1, 1, 1, 0.5, 1, 1, 1, 0.5}, {-1, -1, -1, 0.5, 1, 1, 1, 0.5}};
+  static constexpr lane4 couple_share[2] = {{1, 1, 1, 0.5}, {-1, -1, -1, 0.5}};
+  Gathered g;
+  for (std::int32_t k = v.gather_first[p]; k < v.gather_first[p + 1]; ++k) {
+    const std::uint32_t entry = v.gather[k];
+    const std::int64_t s = entry >> 1;
+    g.slot += load8(v.slots + 8 * s) * share[entry & 1];
+    if (v.couples) g.couple += load4(v.couples + 4 * s) * couple_share[entry & 1];
+  }
+  return g;
+}
+
+[[gnu::always_inline]] inline sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
+
+/// One contact of particle p with a wall, added to what it has gathered.
+template <class Laws>
+[[gnu::noinline]] void add_wall(const SweepView& v, std::int64_t p, std::int64_t w, Gathered& g,
+                                SweepFindings& findings) {
+  const sc_laws laws = Laws::of(v);
+  const double *m = v.motion + 8 * p, *spin = v.spin + 4 * p;
+  const sc_wall& wall = v.walls.shape[v.walls.wall[w]];
+  sc_sphere_wall s;
+  s.position = vec_of(m);
+  s.velocity = vec_of(m + 4);
+  s.rim_speed = vec_of(spin);
+  s.spin = sc_scale(spin[3], s.rim_speed);
+  s.radius = m[3];
+  s.inverse_mass = m[7];
+  s.excess = v.effect_excess[p];
+  const sc_sphere_touch t = sc_touch_wall(s, wall);
+  double* slide = v.walls.slide + 4 * w;
+  double* roll = v.walls.roll + 4 * w;
+  if (t.touch.overlap + v.margin <= 0 && !v.walls.active[w]) return;
+  sc_contact_state state;
+  state.slide = vec_of(slide);
+  state.bonded = slide[3];
+  state.roll = vec_of(roll);
+  state.twist = roll[3];
+  const sc_contact_result r =
+      sc_contact_act(laws, v.law[v.material[p] * v.materials + wall.material], t.touch, v.time, state);
+  const sc_vec force = sc_add(r.action.normal_force, r.action.tangential_force);
+  const sc_vec turn = sc_scale(t.lever, sc_cross(t.touch.normal, r.action.tangential_force));
+  g.slot += lane8{force.x, force.y, force.z, r.action.loss_normal, turn.x, turn.y, turn.z, r.action.loss_sliding};
+  g.couple += lane4{r.action.couple.x, r.action.couple.y, r.action.couple.z, r.action.loss_rolling};
+  const double keep = r.action.touching ? 1 : 0;
+  store4(slide, keep * lane4{r.state.slide.x, r.state.slide.y, r.state.slide.z, r.state.bonded});
+  store4(roll, keep * lane4{r.state.roll.x, r.state.roll.y, r.state.roll.z, r.state.twist});
+  v.walls.active[w] = r.action.touching != 0;
+  findings.contacts += r.action.touching != 0;
+  findings.deepest = SC_MAX(findings.deepest, R(0.5) * t.touch.overlap / t.touch.radius);
+}
+
+/// Work and impulse of everything that is not a pair of free particles.
+inline void book(const SweepView& v, std::int64_t p, const sc_sphere_motion& before, const sc_sphere_load& walls,
+                 const sc_sphere_load& all, const sc_sphere_moved& moved) {
+  double *work = v.work + 4 * p, *impulse = v.impulse + 4 * p, *angular = v.angular_impulse + 4 * p;
+  work[0] += moved.drag_work;
+  work[1] += moved.body_work;
+  work[2] += moved.prescribed_work;
+  // A free particle is pushed from outside by its walls; one of infinite mass takes away what its partners lose.
+  const bool free_body = before.inverse_mass > 0;
+  const double sign = free_body ? v.move.kick : -v.move.kick;
+  const sc_sphere_load& load = free_body ? walls : all;
+  const sc_vec fields = sc_add(moved.drag_impulse, moved.body_impulse);
+  const sc_vec outside = sc_add_scaled(fields, sign, load.force);
+  const sc_vec torque = sc_add_scaled(load.couple, before.radius, load.turn);
+  sc_vec turned = sc_add_scaled(sc_cross(before.position, outside), sign, torque);
+  if (v.book_gravity && free_body) {
+    const sc_vec weight = sc_scale(v.move.kick / before.inverse_mass, v.move.gravity);
+    turned = sc_add(turned, sc_cross(before.position, weight));
+  }
+  impulse[0] += outside.x;
+  impulse[1] += outside.y;
+  impulse[2] += outside.z;
+  angular[0] += turned.x;
+  angular[1] += turned.y;
+  angular[2] += turned.z;
+}
+
+[[gnu::always_inline]] inline sc_sphere_load load_of(const Gathered& g) {
+  sc_sphere_load l;
+  l.force = sc_make_vec(g.slot[0], g.slot[1], g.slot[2]);
+  l.turn = sc_make_vec(g.slot[4], g.slot[5], g.slot[6]);
+  l.couple = sc_make_vec(g.couple[0], g.couple[1], g.couple[2]);
+  return l;
+}
+
+/// Puts a coordinate back into the box; true if it has left along an axis that is not periodic.
+[[gnu::always_inline]] inline bool wrap(const SweepView& v, std::int64_t p, double* x) {
+  bool outside = false;
+  for (int k = 0; k < 3; ++k) {
+    if (x[k] >= v.low[k] && x[k] < v.high[k]) continue;
+    if (v.period[k] == 0) {
+      outside = true;
+    } else if (x[k] < v.low[k]) {
+      x[k] += v.period[k];
+      --v.image[4 * p + k];
+      // A tiny step below the edge rounds to the far edge, which is the near one of the next period.
+      if (x[k] >= v.high[k]) {
+        x[k] = v.low[k];
+        ++v.image[4 * p + k];
+      }
+    } else {
+      x[k] -= v.period[k];
+      ++v.image[4 * p + k];
+    }
+  }
+  return outside;
+}
+
+template <class Laws>
+[[gnu::always_inline]] inline void move(const SweepView& v, std::int64_t p, SweepFindings& findings) {
+  Gathered g = gather(v, p);
+  Gathered walls{};
+  bool outside_world = v.field || v.book_gravity || v.motion[8 * p + 7] == 0;
+  if (v.walls.first && v.walls.first[p] < v.walls.first[p + 1]) {
+    for (std::int64_t w = v.walls.first[p]; w < v.walls.first[p + 1]; ++w) add_wall<Laws>(v, p, w, walls, findings);
+    g.slot += walls.slot;
+    g.couple += walls.couple;
+    outside_world = true;
+  }
+  double *m = v.motion + 8 * p, *spin = v.spin + 4 * p;
+  sc_sphere_motion s;
+  s.position = vec_of(m);
+  s.velocity = vec_of(m + 4);
+  s.rim = vec_of(spin);
+  s.radius = m[3];
+  s.inverse_mass = m[7];
+  s.inverse_radius = spin[3];
+  const sc_sphere_load all = load_of(g);
+  if (v.force) store4(v.force + 4 * p, lane4{all.force.x, all.force.y, all.force.z, 0});
+  sc_sphere_moved moved;
+  if (v.field) {
+    moved = sc_move_sphere(v.move, s, all, v.field[p]);
+  } else {
+    sc_move bare = v.move;
+    bare.drag = SC_DRAG_NONE;
+    moved = sc_move_sphere(bare, s, all, {sc_zero_vec(), sc_zero_vec()});
+  }
+  if (outside_world) book(v, p, s, load_of(walls), all, moved);
+  const sc_sphere_motion& q = moved.motion;
+  double x[3] = {q.position.x, q.position.y, q.position.z};
+  findings.inside = findings.inside && !wrap(v, p, x);
+  store4(m, lane4{x[0], x[1], x[2], s.radius});
+  store4(m + 4, lane4{q.velocity.x, q.velocity.y, q.velocity.z, s.inverse_mass});
+  store4(spin, lane4{q.rim.x, q.rim.y, q.rim.z, s.inverse_radius});
+  double* loss = v.loss + 4 * p;
+  store4(loss, load4(loss) + lane4{g.slot[3], g.slot[7], g.couple[3], 0});
+  const double speed2 = sc_dot(q.velocity, q.velocity);
+  findings.fastest2 = SC_MAX(findings.fastest2, speed2);
+  findings.sound = findings.sound && speed2 < 1e300;
+}
+
+}  // namespace
+}  // namespace scree

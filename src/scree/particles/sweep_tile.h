@@ -1,0 +1,169 @@
+// The contacts of one tile: find those that act, evaluate them together, write their forces into slots.
+#pragma once
+
+#include "scree/particles/lanes.h"
+#include "scree/particles/sweep_batch.h"
+
+namespace scree {
+namespace {
+
+/// Laws known when the program is compiled.
+template <int Normal, int Tangential, int Rolling, int Twisting, int Cohesion>
+struct FixedLaws {
+  static constexpr sc_laws of(const SweepView&) { return {Normal, Tangential, Rolling, Twisting, Cohesion}; }
+};
+
+/// Laws known when it runs.
+struct AnyLaws {
+  static sc_laws of(const SweepView& v) { return v.laws; }
+};
+
+/// x_B - x_A to the nearest image in lanes 0 to 2, r_A + r_B in lane 3.
+[[gnu::always_inline]] inline lane4 branch_of(const SweepView& v, const double* a, const double* b) {
+  const lane4 xa = load4(a), xb = load4(b), half = load4(v.half_period), period = load4(v.period);
+  lane4 d = last_of(xb - xa, xb + xa);
+  d -= (lane4)((mask4)period & (d > half));
+  d += (lane4)((mask4)period & (d < -half));
+  return d;
+}
+
+/// Splits candidates [begin, end), at most batch_size of them, into those that may act and the rest. Returns how many
+/// may act.
+[[gnu::always_inline]] inline int filter(const SweepView& v, std::int32_t begin, std::int32_t end, Batch& b,
+                                         int& apart) {
+  int near = 0;
+  apart = 0;
+  for (std::int32_t c = begin; c < end; c += 8) {
+    lane4 row[8];
+    // Candidates beyond `end` are read (the lists are padded) and dropped below.
+    for (int l = 0; l < 8; ++l)
+      row[l] = branch_of(v, v.motion + std::int64_t{8} * v.owner[c + l], v.motion + std::int64_t{8} * v.partner[c + l]);
+    const Columns d = columns_of(row);
+    const lane8 range = d.w + v.margin;
+    const mask8 acts = d.x * d.x + d.y * d.y + d.z * d.z < range * range;
+    const int count = end - c < 8 ? end - c : 8;
+    for (int l = 0; l < count; ++l) {
+      b.which[near] = c + l;
+      b.apart[apart] = c + l;
+      // A contact that acted is looked at once more when it has parted: the break of a bond costs energy.
+      const int act_now = static_cast<int>(acts[l] & 1) | v.active[c + l];
+      near += act_now;
+      apart += 1 - act_now;
+    }
+  }
+  return near;
+}
+
+/// Gives the partners of candidates that are apart zero to add.
+[[gnu::always_inline]] inline void part(const SweepView& v, const Batch& b, int apart) {
+  const lane4 zero{};
+  for (int k = 0; k < apart; ++k) {
+    const std::int64_t c = b.apart[k];
+    double* slot = v.slots + 8 * std::int64_t{v.slot[c]};
+    store4(slot, zero);
+    store4(slot + 4, zero);
+    if (v.couples) store4(v.couples + 4 * std::int64_t{v.slot[c]}, zero);
+  }
+}
+
+[[gnu::always_inline]] inline void put(double* x, double* y, double* z, double* w, int k, const Columns& c) {
+  store8(x + k, c.x);
+  store8(y + k, c.y);
+  store8(z + k, c.z);
+  store8(w + k, c.w);
+}
+
+/// Brings the states of the contacts in `which` side by side. Rounds `near` up to whole vectors with copies of the first.
+[[gnu::always_inline]] inline void load(const SweepView& v, const sc_laws laws, Batch& b, int near) {
+  for (int k = near; k % 8; ++k) b.which[k] = b.which[0];
+  const bool remembers = law_remembers(laws), rolls = law_rolls(laws), reaches = law_reaches(laws);
+  for (int k = 0; k < near; k += 8) {
+    lane4 branch[8], velocity[8], rim[8];
+    for (int l = 0; l < 8; ++l) {
+      const std::int64_t i = v.owner[b.which[k + l]], j = v.partner[b.which[k + l]];
+      const double *a = v.motion + 8 * i, *p = v.motion + 8 * j;
+      branch[l] = branch_of(v, a, p);
+      const lane4 va = load4(a + 4), vb = load4(p + 4);
+      velocity[l] = last_of(va - vb, va + vb);
+      rim[l] = load4(v.spin + 4 * i) + load4(v.spin + 4 * j);
+    }
+    put(b.bx, b.by, b.bz, b.rr, k, columns_of(branch));
+    put(b.ux, b.uy, b.uz, b.im, k, columns_of(velocity));
+    put(b.sx, b.sy, b.sz, b.ir, k, columns_of(rim));
+    if (remembers) {
+      lane4 slide[8];
+      for (int l = 0; l < 8; ++l) slide[l] = load4(v.slide + std::int64_t{4} * b.which[k + l]);
+      put(b.qx, b.qy, b.qz, b.bond, k, columns_of(slide));
+    }
+    for (int l = 0; l < 8; ++l) {
+      const std::int64_t c = b.which[k + l], i = v.owner[c], j = v.partner[c];
+      b.pair_law[k + l] = v.materials > 1 ? v.material[i] * v.materials + v.material[j] : 0;
+      if (reaches) b.excess[k + l] = v.effect_excess[i] + v.effect_excess[j];
+      if (!rolls) continue;
+      const double *sa = v.spin + 4 * i, *sb = v.spin + 4 * j;
+      b.wx[k + l] = sa[0] * sa[3] - sb[0] * sb[3];
+      b.wy[k + l] = sa[1] * sa[3] - sb[1] * sb[3];
+      b.wz[k + l] = sa[2] * sa[3] - sb[2] * sb[3];
+      b.px[k + l] = v.roll[4 * c];
+      b.py[k + l] = v.roll[4 * c + 1];
+      b.pz[k + l] = v.roll[4 * c + 2];
+      b.twist[k + l] = v.roll[4 * c + 3];
+    }
+  }
+}
+
+[[gnu::always_inline]] inline Columns take(const double* x, const double* y, const double* z, const double* w, int k) {
+  return {load8(x + k), load8(y + k), load8(z + k), load8(w + k)};
+}
+
+/// Writes forces into slots and memory back to the pairs.
+[[gnu::always_inline]] inline void store(const SweepView& v, const sc_laws laws, const Batch& b, int near,
+                                         SweepFindings& findings) {
+  const bool remembers = law_remembers(laws), rolls = law_rolls(laws);
+  for (int k = 0; k < near; k += 8) {
+    double force[8][4], turn[8][4], slide[8][4];
+    rows_of(take(b.fx, b.fy, b.fz, b.loss_normal, k), force);
+    rows_of(take(b.gx, b.gy, b.gz, b.loss_sliding, k), turn);
+    if (remembers) rows_of(take(b.qx, b.qy, b.qz, b.bond, k), slide);
+    const int count = near - k < 8 ? near - k : 8;
+    for (int l = 0; l < count; ++l) {
+      const std::int64_t c = b.which[k + l], s = v.slot[c];
+      store4(v.slots + 8 * s, load4(force[l]));
+      store4(v.slots + 8 * s + 4, load4(turn[l]));
+      if (remembers) store4(v.slide + 4 * c, load4(slide[l]));
+      const bool touching = b.touching[k + l] != 0;
+      findings.contacts += touching;
+      if (touching && !v.active[c]) {
+        ++findings.impacts;
+        findings.impact_speed += static_cast<std::int64_t>(b.approach[k + l] / speed_quantum);
+      }
+      v.active[c] = touching;
+      if (!rolls) continue;
+      store4(v.couples + 4 * s, lane4{b.cx[k + l], b.cy[k + l], b.cz[k + l], b.loss_rolling[k + l]});
+      store4(v.roll + 4 * c, lane4{b.px[k + l], b.py[k + l], b.pz[k + l], b.twist[k + l]});
+    }
+  }
+  double deepest = findings.deepest;
+  for (int k = 0; k < near; ++k) deepest = SC_MAX(deepest, b.depth[k]);
+  findings.deepest = deepest;
+}
+
+/// All pairs [begin, end) of a tile.
+template <class Laws, bool OneMaterial>
+[[gnu::always_inline]] inline void contacts_of_tile(const SweepView& v, std::int32_t begin, std::int32_t end, Batch& b,
+                                                    SweepFindings& findings) {
+  const sc_laws laws = Laws::of(v);
+  for (std::int32_t from = begin; from < end; from += batch_size) {
+    const std::int32_t to = end - from < batch_size ? end : from + batch_size;
+    int apart = 0;
+    const int near = filter(v, from, to, b, apart);
+    part(v, b, apart);
+    if (!near) continue;
+    load(v, laws, b, near);
+    act<OneMaterial>(b, (near + 7) & ~7, laws, v.law, v.time);
+    store(v, laws, b, near, findings);
+  }
+}
+
+}  // namespace
+}  // namespace scree

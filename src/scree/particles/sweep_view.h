@@ -1,0 +1,92 @@
+// What one pass over the contacts reads and writes, as plain pointers.
+//
+// The pass is compiled once per instruction set (sweep_isa.cpp); nothing it includes may be library code with external
+// linkage, or the linker could give the code of the newest instruction set to everybody.
+#pragma once
+
+#include <cstdint>
+
+#include "scree/kernels/move_sphere.h"
+#include "scree/physics/contact/contact.h"
+#include "scree/physics/touch/wall.h"
+
+namespace scree {
+
+/// Largest number of candidates in a tile, unless one particle alone owns more.
+inline constexpr std::int32_t tile_size = 128;
+
+/// Contacts with walls: those of particle p are first[p] ... first[p + 1] - 1, in the order of walls. They are evaluated
+/// one by one and added after the contacts with particles.
+struct WallView {
+  const std::int32_t* first;
+  const std::int32_t* wall;
+  std::uint8_t* active;
+  double* slide;  // [contacts][4]: stretch x y z, JKR bond
+  double* roll;   // [contacts][4]: roll x y z, twist
+  const sc_wall* shape;
+};
+
+struct SweepView {
+  // particles
+  double* motion;               // [n][8]
+  double* spin;                 // [n][4]
+  const double* effect_excess;  // [n]
+  const std::int32_t* material;
+  std::int32_t* image;          // [n][4]
+  double* loss;                 // [n][4]
+  double* work;                 // [n][4]
+  double* impulse;              // [n][4]
+  double* angular_impulse;      // [n][4]
+  // pairs
+  const std::int32_t* first;
+  const std::int32_t* owner;
+  const std::int32_t* partner;
+  std::uint8_t* active;
+  double* slide;  // [pairs][4]
+  double* roll;   // [pairs][4] or null
+  WallView walls;
+  // plan
+  const std::int32_t* slot;
+  const std::int32_t* gather_first;
+  const std::uint32_t* gather;
+  const std::uint8_t* deferred;
+  double* slots;    // [slots][8]: force x y z on the owner, loss normal | lever * (normal x force) x y z, loss sliding
+  double* couples;  // [slots][4]: couple x y z on the owner, loss rolling; or null
+  // laws
+  sc_laws laws;
+  const sc_pair_law* law;  // [materials][materials]
+  int materials;
+  sc_contact_time time;
+  double margin;  // how far apart bodies may be and still act on each other [m]
+  double period[4], half_period[4];  // a fourth, neutral entry fills the vector
+  // motion
+  sc_move move;
+  const sc_field* field;  // [n] or null: body acceleration and fluid velocity at each particle
+  double* force;          // [n][4] or null: total contact force on each particle, written
+  bool book_gravity;      // book the angular impulse of uniform gravity (its work and impulse are known without)
+  double low[3], high[3]; // the domain
+};
+
+/// Measured speeds are summed as integers, so that the sum does not depend on the order.
+inline constexpr double speed_quantum = 0x1p-40;  // [m/s]
+
+/// What a pass found out, for the guards and the series.
+struct SweepFindings {
+  double fastest2 = 0;              // largest speed squared [m2/s2]
+  double deepest = 0;               // largest overlap over twice the effective radius [-]
+  std::int64_t contacts = 0;        // pairs and walls that acted
+  std::int64_t impacts = 0;         // pairs that began to act
+  std::int64_t impact_speed = 0;    // sum of their approach speeds [speed_quantum]
+  bool sound = true;                // all speeds are numbers
+  bool inside = true;               // nobody has left the domain
+};
+
+/// One thread's part of a pass: all pairs of the owners in tiles [0, count), then the motion of those particles that
+/// no other range shares; and the motion of the shared ones, after every thread has done its part.
+struct SweepKernels {
+  void (*advance)(const SweepView&, const std::int32_t* tiles, int count, SweepFindings&);
+  void (*advance_deferred)(const SweepView&, const std::int32_t* particles, int count, SweepFindings&);
+  const char* name;
+};
+
+}  // namespace scree

@@ -1,0 +1,169 @@
+#include "scree/particles/system.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scree/particles/neighbours.h"
+#include "scree/physics/contact/cohesion/jkr.h"
+
+namespace scree {
+namespace {
+
+double largest_radius(const Particles& p) {
+  double largest = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) largest = std::max(largest, p.motion.row(i)[lane::radius]);
+  return largest;
+}
+
+double mean_radius(const Particles& p) {
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) sum += p.motion.row(i)[lane::radius];
+  return p.size() ? sum / static_cast<double>(p.size()) : 0;
+}
+
+double largest_effect_excess(const Particles& p) {
+  double largest = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) largest = std::max(largest, p.effect_excess[i]);
+  return largest;
+}
+
+/// How far a JKR neck may be drawn out, for the largest bodies of the system [m].
+double longest_neck(const ParticleSystem& s) {
+  if (s.laws.cohesion != SC_COHESION_JKR) return 0;
+  // Against a wall the effective radius is that of the particle.
+  const double radius = largest_radius(s.particles);
+  double longest = 0;
+  for (const sc_pair_law& law : s.materials.law)
+    if (law.adhesion > 0) longest = std::max(longest, -sc_jkr_scales(law, radius).broken);
+  return longest;
+}
+
+double greatest_travel(const Particles& p, const Domain& domain, const Buffer<double>& from) {
+  double greatest2 = 0;
+  const std::int64_t n = static_cast<std::int64_t>(p.size());
+#pragma omp parallel for schedule(static) reduction(max : greatest2)
+  for (std::int64_t i = 0; i < n; ++i) {
+    double d2 = 0;
+    for (int k = 0; k < 3; ++k) {
+      double d = p.motion.row(i)[k] - from[3 * i + k];
+      if (d > domain.half_period(k)) d -= domain.period(k);
+      if (d < -domain.half_period(k)) d += domain.period(k);
+      d2 += d * d;
+    }
+    greatest2 = std::max(greatest2, d2);
+  }
+  return std::sqrt(greatest2);
+}
+
+/// A list that lasts long costs candidates in every step, a short one costs making: aim between the two. The lists
+/// change no bits, so the skin may follow the motion.
+void adapt_skin(ContactLists& lists, double radius) {
+  if (lists.rebuilds == 0) return;
+  if (lists.passes < 25) lists.skin *= 1.25;
+  if (lists.passes > 100) lists.skin *= 0.8;
+  lists.skin = std::clamp(lists.skin, 0.04 * radius, 1.0 * radius);
+}
+
+void make_lists(ParticleSystem& s, ContactLists& lists, int threads) {
+  Particles& p = s.particles;
+  const std::size_t n = p.size();
+  // Cells of about a diameter keep neighbours in space close in memory.
+  const std::vector<std::uint32_t> order = storage_order(p, s.domain, 2 * mean_radius(p) + lists.skin);
+  p.permute(order);
+  std::vector<std::int32_t> place(n);
+  for (std::size_t i = 0; i < n; ++i) place[order[i]] = static_cast<std::int32_t>(i);
+  const double reach = lists.skin + lists.margin - 2 * largest_effect_excess(p);
+  s.contacts = carry_over(find_candidates(p, s.domain, reach), s.contacts, place);
+  WallContacts walls = find_wall_contacts(p, s.walls, reach);
+  carry_over(walls, s.wall_contacts, place);
+  s.wall_contacts = std::move(walls);
+  lists.plan = plan_sweep(s.contacts.pairs, p, threads);
+  lists.slots.slots.resize(8 * std::size_t(lists.plan.slots));
+  if (s.contacts.remembers_rolling) lists.slots.couples.resize(4 * std::size_t(lists.plan.slots));
+  lists.listed_at.resize(3 * n);
+  for (std::size_t i = 0; i < n; ++i) std::copy_n(p.motion.row(i), 3, &lists.listed_at[3 * i]);
+}
+
+}  // namespace
+
+double reach_beyond_bodies(const ParticleSystem& s) {
+  return s.laws.cohesion == SC_COHESION_LINEAR ? 2 * largest_effect_excess(s.particles) : longest_neck(s);
+}
+
+ContactLists prepare_lists(const ParticleSystem& s, double skin) {
+  ContactLists lists;
+  lists.kernels = sweep_kernels(s.laws, s.materials.count());
+  lists.margin = std::max(reach_beyond_bodies(s), 2 * largest_effect_excess(s.particles));
+  lists.skin = skin > 0 ? skin : 0.2 * mean_radius(s.particles);
+  lists.adapts = skin == 0;
+  return lists;
+}
+
+bool refresh_lists(ParticleSystem& s, ContactLists& lists, int threads) {
+  const bool new_threads = lists.made && static_cast<int>(lists.plan.ranges.size()) != threads;
+  if (lists.made && !new_threads) {
+    if (2 * lists.travelled <= lists.skin) return false;
+    // The sum of the fastest steps overestimates: most of the time nobody has really gone that far.
+    lists.travelled = greatest_travel(s.particles, s.domain, lists.listed_at);
+    if (2.5 * lists.travelled <= lists.skin) return false;
+  }
+  if (lists.adapts) adapt_skin(lists, mean_radius(s.particles));
+  make_lists(s, lists, threads);
+  lists.travelled = 0;
+  lists.passes = 0;
+  ++lists.rebuilds;
+  lists.made = true;
+  return true;
+}
+
+void note_travel(ContactLists& lists, double distance) {
+  // Rounding in the sum must not hide a move.
+  lists.travelled += distance * (1 + 1e-12);
+  ++lists.passes;
+}
+
+SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, const sc_contact_time& time) {
+  Particles& p = s.particles;
+  SweepView v{};
+  v.motion = p.motion.values.data();
+  v.spin = p.spin.values.data();
+  v.effect_excess = p.effect_excess.values.data();
+  v.material = p.material.values.data();
+  v.image = p.image.values.data();
+  v.loss = p.loss.values.data();
+  v.work = p.work.values.data();
+  v.impulse = p.impulse.values.data();
+  v.angular_impulse = p.angular_impulse.values.data();
+  v.first = s.contacts.pairs.first.data();
+  v.owner = s.contacts.pairs.owner.data();
+  v.partner = s.contacts.pairs.partner.data();
+  v.active = s.contacts.active.data();
+  v.slide = s.contacts.slide.data();
+  v.roll = s.contacts.remembers_rolling ? s.contacts.roll.data() : nullptr;
+  WallContacts& w = s.wall_contacts;
+  v.walls = {w.first.data(), w.wall.data(), w.active.data(), w.slide.data(), w.roll.data(), s.walls.faces.data()};
+  v.slot = lists.plan.slot.data();
+  v.gather_first = lists.plan.gather_first.data();
+  v.gather = lists.plan.gather.data();
+  v.deferred = lists.plan.deferred.data();
+  v.slots = lists.slots.slots.data();
+  v.couples = s.contacts.remembers_rolling ? lists.slots.couples.data() : nullptr;
+  v.laws = s.laws;
+  v.law = s.materials.law.data();
+  v.materials = s.materials.count();
+  v.time = time;
+  v.margin = lists.margin;
+  for (int k = 0; k < 3; ++k) {
+    v.period[k] = s.domain.period(k);
+    v.half_period[k] = s.domain.half_period(k);
+    v.low[k] = s.domain.min[k];
+    v.high[k] = s.domain.max[k];
+  }
+  v.half_period[3] = std::numeric_limits<double>::infinity();
+  v.move = move;
+  const sc_vec& g = move.gravity;
+  v.book_gravity = !s.domain.any_periodic() && (g.x != 0 || g.y != 0 || g.z != 0);
+  return v;
+}
+
+}  // namespace scree

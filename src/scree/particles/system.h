@@ -1,0 +1,58 @@
+// Everything that a step of the particles reads and changes.
+#pragma once
+
+#include <vector>
+
+#include "scree/data/domain.h"
+#include "scree/data/materials.h"
+#include "scree/data/particles.h"
+#include "scree/data/walls.h"
+#include "scree/particles/contacts.h"
+#include "scree/particles/sweep.h"
+#include "scree/particles/wall_contacts.h"
+
+namespace scree {
+
+/// Particles with their contacts. The lists (pairs, walls, plan) may be made again at any time without changing a bit of
+/// what follows.
+struct ParticleSystem {
+  Domain domain;
+  sc_laws laws{};
+  Materials materials;
+  Walls walls;
+  Particles particles;
+  PairContacts contacts;
+  WallContacts wall_contacts;
+};
+
+/// What keeps the lists valid and how the next pass goes.
+struct ContactLists {
+  SweepKernels kernels{};
+  SweepPlan plan;
+  SweepSlots slots;
+  Buffer<double> listed_at;   // [n][3]: positions when the lists were made [m]
+  double skin = 0;            // [m]
+  double travelled = 0;       // nobody has moved further since then [m]
+  double margin = 0;          // how far apart bodies may be and still act on each other [m]
+  std::int64_t passes = 0;    // since the lists were made
+  std::int64_t rebuilds = 0;
+  bool made = false;
+  bool adapts = true;         // the skin follows the motion
+};
+
+/// Kernels, margin and a first skin for a system; `skin` 0 lets the program choose and adapt it.
+ContactLists prepare_lists(const ParticleSystem& system, double skin);
+
+/// Makes the lists again if some particle may have come near another one unlisted. True if it did.
+bool refresh_lists(ParticleSystem& system, ContactLists& lists, int threads);
+
+/// Notes that particles moved by at most `distance` [m] since the last call.
+void note_travel(ContactLists& lists, double distance);
+
+/// The view of the system for a pass.
+SweepView view_of(ParticleSystem& system, ContactLists& lists, const sc_move& move, const sc_contact_time& time);
+
+/// Longest range of interaction between two particle surfaces of the system's bodies, beyond their bodies [m].
+double reach_beyond_bodies(const ParticleSystem& system);
+
+}  // namespace scree

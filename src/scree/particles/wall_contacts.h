@@ -1,0 +1,28 @@
+// Contacts between particles and walls: which walls are near each particle, and what each contact remembers.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scree/compute/buffer.h"
+#include "scree/data/particles.h"
+#include "scree/data/walls.h"
+
+namespace scree {
+
+/// Contacts of particle p are first[p] ... first[p + 1] - 1, in the order of the walls' faces.
+struct WallContacts {
+  Buffer<std::int32_t> first;   // [particles + 1]
+  Buffer<std::int32_t> wall;    // index into Walls::faces
+  Buffer<std::uint8_t> active;  // the contact acted at the last evaluation
+  Buffer<double> slide;         // [contacts][4]: stretch of the tangential spring x y z [m], JKR bond
+  Buffer<double> roll;          // [contacts][4]: stretch of the rolling spring x y z, of the twisting spring [rad]
+};
+
+/// All faces closer to a particle's effect surface than `skin` [m], bodies of infinite mass left out.
+WallContacts find_wall_contacts(const Particles& particles, const Walls& walls, double skin);
+
+/// Copies the memory of `old` contacts into `fresh`; `place` tells where each particle went.
+void carry_over(WallContacts& fresh, const WallContacts& old, const std::vector<std::int32_t>& place);
+
+}  // namespace scree
