@@ -116,4 +116,13 @@ inline double collide(World& w, double dt, long steps) {
   return duration;
 }
 
+/// The last step of a run: positions and velocities then belong to the same time.
+inline void finish(World& w, double dt) {
+  drift(w, dt);
+  kick(w, {dt, dt / 2, dt / 2});
+}
+
+/// Kinetic and stored energy, and what was lost [J].
+inline double energy_books(const World& w) { return kinetic(w) + (w.touching ? stored(w) : 0) + losses(w); }
+
 }  // namespace two_bodies

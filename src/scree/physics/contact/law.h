@@ -121,7 +121,7 @@ SC_FN sc_contact_result sc_resist_turning(sc_laws laws, sc_pair_law p, sc_touch 
     law.friction = p.rolling_friction;
     const sc_vec start = sc_turn_stretch(out.state.roll, t.normal);
     const sc_vec rolling = sc_sub(t.spin, twisting);
-    const sc_spring_action a = sc_pull_spring(sc_turning_spring(law, t, start, rolling, g.memory.span), time);
+    const sc_spring_action a = sc_pull_spring(sc_turning_spring(law, t, start, rolling, g.memory), time);
     out.state.roll = a.stretch;
     out.action.couple = sc_add(out.action.couple, a.force);
     out.action.loss_rolling += a.loss;
@@ -131,7 +131,7 @@ SC_FN sc_contact_result sc_resist_turning(sc_laws laws, sc_pair_law p, sc_touch 
     law.damping = p.twisting_damping * g.memory.weight;
     law.friction = p.twisting_friction;
     const sc_vec start = sc_scale(out.state.twist, t.normal);
-    const sc_spring_action a = sc_pull_spring(sc_turning_spring(law, t, start, twisting, g.memory.span), time);
+    const sc_spring_action a = sc_pull_spring(sc_turning_spring(law, t, start, twisting, g.memory), time);
     out.state.twist = sc_dot(a.stretch, t.normal);
     out.action.couple = sc_add(out.action.couple, a.force);
     out.action.loss_rolling += a.loss;

@@ -11,7 +11,7 @@ typedef struct {
   real span;      // time in contact since the last evaluation [s]
   real weight;    // of forces that jump when the bodies meet [-]
   sc_vec slide;   // tangential spring, turned with the contact [m]
-  real hold;      // tangential stiffness at the last evaluation over the present one [-]
+  real hold;      // stiffness of the springs at the last evaluation over the present one [-]
 } sc_contact_memory;
 
 /// Brings the memory of a contact to the present.
@@ -30,19 +30,22 @@ SC_FN sc_contact_memory sc_remember(sc_touch t, sc_contact_time time, sc_contact
   sc_contact_memory out;
   out.approach = sc_dot(t.velocity, t.normal);
   const real advance = out.approach * time.dt;
-  // Both 0 < overlap and overlap < advance; one comparison, because loops with mixed flags do not vectorise.
-  out.begins = (bonded ? R(0) : SC_MIN(t.overlap, advance - t.overlap)) > R(0);
+  // A contact counts from a little above zero overlap, so that rounding does not decide for bodies that start just
+  // touching. One comparison stands for both, because loops with mixed flags do not vectorise.
+  const real least = R(1e-9) * SC_MAX(out.approach, R(0)) * time.kick;
+  out.begins = (bonded ? R(0) : SC_MIN(t.overlap - least, advance + least - t.overlap)) > R(0);
   const sc_vec turned = sc_reject(s.slide, t.normal);
   const real before = sc_dot(s.slide, s.slide);
   const real after = sc_dot(turned, turned);
-  const real length = R(3) * after + before;
+  const real length = after > SC_TINY ? R(3) * after + before : R(1);
   const real closing = SC_MIN(advance, depth);
   const real growth = growing ? R(4) * depth - closing : R(1);
   const real both = out.begins ? R(0) : length * growth;
   const real inverse = R(1) / (both + (out.begins ? out.approach * time.kick : R(0)));
   const int kept = both > SC_TINY;
   out.span = out.begins ? t.overlap * inverse * time.kick : time.dt;
-  out.weight = out.begins ? (t.overlap + out.approach * (time.kick - time.lead)) * inverse : R(1);
+  out.weight = out.begins ? (t.overlap + out.approach * (time.kick - time.lead)) * inverse
+                          : ((bonded ? R(1) : t.overlap - least) > R(0) ? R(1) : R(0));
   out.slide = sc_scale(kept ? (after + R(3) * before) * growth * inverse : R(0), turned);
   const real fresh = t.overlap < depth ? R(1) : R(1.0 / 3.0);
   const real held = kept ? (R(4) * depth - R(3) * closing) * length * inverse : (out.begins ? fresh : R(1));

@@ -7,12 +7,10 @@
 
 /// A spring element before a step. "Force" and "mass" mean couple and moment of inertia where angles are stretched.
 typedef struct {
-  sc_vec held;      // force at the last evaluation over the present stiffness
-  sc_vec start;     // stretch from which this step goes on
-  real stored;      // twice the energy stored at the last evaluation, over the present stiffness
+  sc_vec stretch;   // at the last evaluation, turned with the contact
+  real hold;        // stiffness at the last evaluation over the present one
   sc_vec velocity;  // at the time `lead` before the positions
   real span;        // time in contact since the last evaluation [s]
-  real rise;        // mean stiffness during it over the present one, if the stretch is scaled by that
   real stiffness;
   real damping;   // coefficient of the dashpot
   real mass;      // which the element accelerates
@@ -32,13 +30,18 @@ typedef struct {
 ///
 /// The dashpot uses the velocity at the time of the positions, predicted with the element's own force. Beyond the limit
 /// force and stretch shrink by the same factor, so a sliding spring never gains energy, however strong the dashpot.
+///
+/// Where the stiffness grows, the force stays and the stretch shrinks; where it falls, the stretch stays and the force
+/// shrinks: no cycle gains energy (Elata and Berryman 1996).
+///
 /// The spring's part of the loss is (force before + force after)/2 times the motion, less the gain of stored energy;
 /// summed over a contact it is exactly what the kicks of the leapfrog take out. A spring that passes zero within a step
 /// could seem to gain a little: that counts as nothing.
 SC_FN sc_spring_action sc_pull_spring(sc_spring s, sc_contact_time time) {
   sc_spring_action out;
   const sc_vec motion = sc_scale(s.span, s.velocity);
-  const sc_vec trial = sc_add_scaled(s.start, s.rise, motion);
+  const real loading = SC_MIN(s.hold, R(1));
+  const sc_vec trial = sc_add_scaled(sc_scale(loading, s.stretch), R(0.5) * (R(1) + loading), motion);
   const real damped = s.mass + s.damping * time.lead;
   const real inverse = R(1) / (s.mass * damped);
   const sc_vec free = sc_add_scaled(sc_scale(s.mass, s.velocity), -time.lead * s.stiffness, trial);
@@ -48,10 +51,11 @@ SC_FN sc_spring_action sc_pull_spring(sc_spring s, sc_contact_time time) {
   out.slides = size > s.sticking;
   const real share = out.slides ? s.sliding / size : R(1);
   out.force = sc_scale(-share, pull);
-  out.stretch = sc_scale(share, trial);
+  out.stretch = sc_scale(s.sticking > R(0) ? share : R(0), trial);  // what cannot hold does not stretch
   const sc_vec actual = sc_add_scaled(s.velocity, time.lead * damped * inverse, out.force);
-  const real spring_loss = R(0.5) * s.stiffness *
-                           (sc_dot(sc_add(s.held, out.stretch), motion) - sc_dot(out.stretch, out.stretch) + s.stored);
+  const sc_vec forces = sc_add_scaled(out.stretch, s.hold, s.stretch);  // before and after, over the stiffness
+  const real gain = sc_dot(out.stretch, out.stretch) - s.hold * sc_dot(s.stretch, s.stretch);
+  const real spring_loss = R(0.5) * s.stiffness * (sc_dot(forces, motion) - gain);
   const real dashpot_loss = share * s.damping * sc_dot(synchronised, actual) * time.kick;
   out.loss = SC_MAX(spring_loss + dashpot_loss, R(0));
   return out;

@@ -83,7 +83,7 @@ SC_FN sc_normal sc_normal_jkr(sc_pair_law p, sc_touch t, sc_jkr c, int bonded) {
 SC_FN real sc_jkr_loss(sc_jkr c, sc_touch t, int begins, int breaks, real advance) {
   const real last = t.overlap - R(0.5) * advance;
   const real left = c.force * (R(0.031498026247371829) * c.length - R(5.0 / 12.0) * (last - c.broken));
-  return begins ? R(0.3) * c.force * c.length : (breaks ? left : R(0));
+  return begins ? R(0.3) * c.force * c.length : (breaks ? SC_MAX(left, R(0)) : R(0));
 }
 
 #endif

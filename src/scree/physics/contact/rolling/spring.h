@@ -3,6 +3,7 @@
 #ifndef SCREE_PHYSICS_CONTACT_ROLLING_SPRING_H
 #define SCREE_PHYSICS_CONTACT_ROLLING_SPRING_H
 
+#include "scree/physics/contact/memory.h"
 #include "scree/physics/contact/spring.h"
 
 /// What resists a rotation about a contact.
@@ -20,11 +21,11 @@ SC_FN sc_vec sc_turn_stretch(sc_vec stretch, sc_vec normal) {
   return sc_scale(after > SC_TINY ? SC_SQRT(sc_dot(stretch, stretch) / after) : R(0), turned);
 }
 
-/// The spring element for the rotation `spin` [rad/s] during `span` from the stretch `start` [rad]; k_t in the law's
-/// `stiffness`, and its couple is at most friction * R * load.
+/// The spring element for the rotation `spin` [rad/s] with the stretch before it [rad]; its couple is at most
+/// friction * R * load.
 /// The moment of inertia 2/5 m R^2 of reduced mass and effective radius is exact for a sphere on a wall and too small
 /// by up to 4 for two spheres, so the damping ratio means a little less there.
-SC_FN sc_spring sc_turning_spring(sc_turning law, sc_touch t, sc_vec start, sc_vec spin, real span) {
+SC_FN sc_spring sc_turning_spring(sc_turning law, sc_touch t, sc_vec stretch, sc_vec spin, sc_contact_memory m) {
   sc_spring out;
   const real square = t.radius * t.radius;
   out.mass = R(0.4) * t.mass * square;
@@ -32,12 +33,10 @@ SC_FN sc_spring sc_turning_spring(sc_turning law, sc_touch t, sc_vec start, sc_v
   out.damping = R(2) * law.damping * SC_SQRT(out.stiffness * out.mass);
   out.sticking = law.friction * t.radius * law.load;
   out.sliding = out.sticking;
-  out.held = start;
-  out.start = start;
-  out.stored = sc_dot(start, start);
+  out.stretch = stretch;
+  out.hold = m.hold;
   out.velocity = spin;
-  out.span = span;
-  out.rise = R(1);
+  out.span = m.span;
   return out;
 }
 

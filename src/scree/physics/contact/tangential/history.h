@@ -15,8 +15,6 @@ SC_FN real sc_tangential_stiffness(int mindlin, sc_pair_law p, real area_radius)
 /// The spring element of a tangential contact with memory; the caller adds the limits of Coulomb.
 ///
 /// Dashpot: 2 zeta_t sqrt(m_t k_t) with the mass m_t = 2/7 m that friction accelerates (thesis, 3.45, with that mass).
-/// As a Mindlin contact loads, its force stays and the stretch shrinks; as it unloads, the stretch stays and the force
-/// shrinks with the stiffness, so no cycle gains energy (Elata and Berryman 1996).
 SC_FN sc_spring sc_tangential_history(int mindlin, sc_pair_law p, sc_touch t, real area_radius, sc_contact_memory m) {
   sc_spring out;
   const real share = R(2.0 / 7.0);
@@ -25,11 +23,8 @@ SC_FN sc_spring sc_tangential_history(int mindlin, sc_pair_law p, sc_touch t, re
   const real root = mindlin ? SC_SQRT(R(8) * share * p.shear) * SC_SQRT(area_radius * t.mass)
                             : SC_SQRT(share * p.tangential_stiffness * t.mass);
   out.damping = R(2) * p.tangential_damping * m.weight * root;
-  const real loading = SC_MIN(m.hold, R(1));
-  out.held = sc_scale(m.hold, m.slide);
-  out.start = sc_scale(loading, m.slide);
-  out.rise = R(0.5) * (R(1) + loading);
-  out.stored = m.hold * sc_dot(m.slide, m.slide);
+  out.stretch = m.slide;
+  out.hold = m.hold;
   out.velocity = sc_add_scaled(t.velocity, -m.approach, t.normal);
   out.span = m.span;
   return out;
