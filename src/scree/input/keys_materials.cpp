@@ -23,7 +23,9 @@ const Section& materials_section() {
            .unit("N/m")
            .above(0)
            .defaults_to("none"),
-       key("restitution", &S::restitution, "speed after over speed before a head-on collision").above(0).at_most(1),
+       key("restitution", &S::restitution, "speed after over speed before a head-on collision")
+           .at_least(1e-4)
+           .at_most(1),
        key("friction", &S::friction, "coefficient of friction, static and sliding").at_least(0).at_most(100),
        key("friction_sliding", &S::friction_sliding, "coefficient while sliding")
            .at_least(0)
@@ -56,7 +58,7 @@ const Section& pairs_section() {
        key("stiffness", &S::stiffness, "of the linear normal spring").unit("N/m").above(0).defaults_to("mixed"),
        key("young", &S::young, "effective modulus E* of the pair").unit("Pa").above(0).defaults_to("mixed"),
        key("restitution", &S::restitution, "speed after over speed before a head-on collision")
-           .above(0)
+           .at_least(1e-4)
            .at_most(1)
            .defaults_to("mixed"),
        key("friction", &S::friction, "coefficient of friction, static and sliding")
