@@ -65,6 +65,16 @@ TEST(LinearCohesion, DissipatesNothingOfItsOwn) {
   EXPECT_NEAR(kinetic(w) / before, 1, 1e-4);
 }
 
+TEST(LinearCohesion, ForceIsTheSlopeOfTheEnergy) {
+  World w = report_case();
+  const auto energy = [&](double x) {
+    w.b.x.x = x;
+    return stored(w);
+  };
+  EXPECT_NEAR((energy(1.1001) - energy(1.0999)) / 2e-4, 30 * (1.2 - 1.1), 1e-9);
+  EXPECT_NEAR((energy(0.9001) - energy(0.8999)) / 2e-4, 30 * (1.2 - 0.9) - 1000 * (1 - 0.9), 1e-9);
+}
+
 sc_pair_law jkr_law(double young, double adhesion) {
   sc_pair_law p{};
   p.young = young;

@@ -27,7 +27,7 @@ World oblique(double degrees, bool swapped) {
   w.a = sphere(radius, 4000, sc_make_vec(0, 0, 0), sc_make_vec(speed * std::cos(angle), speed * std::sin(angle), 0));
   w.b.radius = 1e3;
   w.b.inverse_mass = 0;
-  w.b.x = sc_make_vec(w.b.radius + radius + 3e-9, 0, 0);
+  w.b.x = sc_make_vec(w.b.radius + radius, 0, 0);
   if (swapped) std::swap(w.a, w.b);
   return w;
 }
@@ -36,11 +36,12 @@ struct Rebound {
   double normal, tangential, omega;
 };
 
-Rebound rebound(double degrees, bool swapped) {
+Rebound rebound(double degrees, bool swapped, double steps = 100, double phase = 0.3) {
   World w = oblique(degrees, swapped);
   const double angle = degrees * M_PI / 180, normal = speed * std::cos(angle);
   const Body& moving = swapped ? w.b : w.a;
-  const double dt = sc_hertz_contact_time(1 / moving.inverse_mass, normal, w.law.young, radius) / 100;
+  const double dt = sc_hertz_contact_time(1 / moving.inverse_mass, normal, w.law.young, radius) / steps;
+  (swapped ? w.a : w.b).x.x += phase * normal * dt;
   collide(w, dt, 100000);
   return {-moving.v.x / normal, moving.v.y / (speed * std::sin(angle)), moving.w.z};
 }
@@ -56,6 +57,17 @@ TEST(ObliqueImpact, SlidingBranchIsExact) {
       EXPECT_NEAR(std::abs(r.omega), omega, 5e-3 * omega) << degrees;
       EXPECT_LT(r.omega, 0) << degrees;
     }
+}
+
+TEST(ObliqueImpact, ConvergesWithSecondOrderWhereItSticks) {
+  const auto mean = [](double steps) {
+    double sum = 0;
+    for (int i = 0; i < 20; ++i) sum += rebound(5, false, steps, (i + 0.5) / 20).omega / 20;
+    return sum;
+  };
+  const double coarse = mean(20), middle = mean(40), fine = mean(80);
+  EXPECT_GT(std::log2(std::abs((coarse - middle) / (middle - fine))), 1.5);
+  EXPECT_NEAR(coarse, fine, 0.03 * std::abs(fine));
 }
 
 TEST(ObliqueImpact, FollowsThePublishedCurve) {
@@ -199,7 +211,7 @@ TEST(OnAPlane, StaticFrictionHoldsMoreThanSlidingFriction) {
   p.inertia = 1e30;
   p.law.friction_static = 0.5;
   p.law.friction_sliding = 0.3;
-  p.law.tangential_damping = 0.5;
+  p.law.tangential_damping = 0.02;  // too little to keep it sliding by itself
   const double dt = 2e-6;
   const auto run = [&](double slope, double time) {
     p.gravity.x = slope * 9.81;
@@ -207,7 +219,7 @@ TEST(OnAPlane, StaticFrictionHoldsMoreThanSlidingFriction) {
     return p.s.velocity.x;
   };
   for (double slope = 0; slope < 0.45; slope += 0.05) run(slope, 0.02);
-  EXPECT_NEAR(run(0.45, 0.1), 0, 1e-4);  // above the sliding coefficient, and it holds
+  EXPECT_NEAR(run(0.45, 0.1), 0, 1e-3);  // above the sliding coefficient, and it holds
   const double before = run(0.55, 0.05);
   EXPECT_GT(before, 0.05);
   EXPECT_NEAR(run(0.4, 0.1) - before, (0.4 - 0.3) * 9.81 * 0.1, 2e-3);  // slides on with the sliding coefficient

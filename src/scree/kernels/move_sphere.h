@@ -2,6 +2,7 @@
 #ifndef SCREE_KERNELS_MOVE_SPHERE_H
 #define SCREE_KERNELS_MOVE_SPHERE_H
 
+#include "scree/physics/body/rotating_frame.h"
 #include "scree/physics/drag/drag.h"
 #include "scree/physics/drag/relaxation.h"
 #include "scree/physics/vec.h"
@@ -71,15 +72,6 @@ SC_FN sc_pushed sc_push(sc_move m, sc_sphere_motion s, sc_vec velocity, sc_vec p
     out.drag = sc_sub(sc_sub(out.velocity, velocity), sc_scale(dt, push));
   }
   return out;
-}
-
-/// Velocity turned by the Coriolis acceleration -2 w x v over `dt`: half of it from either end, so that the speed is kept
-/// (the rotation of Boris 1970, solved for v' in closed form).
-SC_FN sc_vec sc_coriolis_turn(sc_vec v, sc_vec rotation, real dt) {
-  const sc_vec t = sc_scale(-dt, rotation);
-  const sc_vec half = sc_add(v, sc_cross(t, v));
-  const real factor = R(2) / (R(1) + sc_dot(t, t));
-  return sc_add_scaled(v, factor, sc_cross(t, half));
 }
 
 /// Moves a sphere by one step. A sphere of inverse mass 0 keeps its velocity.

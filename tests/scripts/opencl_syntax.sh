@@ -1,0 +1,36 @@
+#!/bin/sh
+# Usage: opencl_syntax.sh SOURCE_DIR CLANG CXX
+# Compiles every header of physics/ and kernels/ alone, in every language and precision; fails with the first messages.
+set -u
+source=$1 clang=$2 cxx=$3
+failed=0
+
+check() {
+  what=$1
+  shift
+  if ! messages=$("$@" 2>&1); then
+    echo "$what"
+    echo "$messages" | head -20
+    failed=1
+  fi
+}
+
+# __OPENCL_VERSION__ is what a device's compiler defines; -Wno-unused-function: a header alone calls none of its own.
+opencl="-x cl -cl-std=CL1.2 -D__OPENCL_VERSION__=120 -Xclang -finclude-default-header -target spir64 -fsyntax-only
+        -Wall -Wextra -Werror -Wno-unused-function -Wno-pragma-once-outside-header"
+cplusplus="-x c++ -std=c++20 -fsyntax-only -Wall -Wextra -Wshadow -Wno-pragma-once-outside-header"
+case $("$cxx" --version) in
+  *clang*) ;;
+  *) cplusplus="-x c++ -std=c++20 -fsyntax-only -Wall -Wextra -Wshadow" ;;
+esac
+
+count=0
+for header in $(find "$source/scree/physics" "$source/scree/kernels" -name '*.h' | sort); do
+  count=$((count + 1))
+  check "$header as OpenCL C, double" "$clang" $opencl -I"$source" "$header"
+  check "$header as OpenCL C, float" "$clang" $opencl -DSCREE_FLOAT -Wdouble-promotion -I"$source" "$header"
+  check "$header as C++" "$cxx" $cplusplus -Werror -I"$source" "$header"
+  check "$header as C++, float" "$cxx" $cplusplus -Werror -DSCREE_FLOAT -Wdouble-promotion -I"$source" "$header"
+done
+echo "$count headers"
+[ "$count" -gt 0 ] && [ "$failed" -eq 0 ]
