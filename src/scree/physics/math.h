@@ -160,7 +160,7 @@ SC_FN real sc_sin(real x) {
   const sc_angle a = sc_reduce_angle(x);
   const real sine = sc_sin_of(a);
   const real cosine = sc_cos_of(a);
-  const real value = ((a.quadrant == R(1)) | (a.quadrant == R(3))) ? cosine : sine;
+  const real value = SC_FABS(a.quadrant - R(2)) == R(1) ? cosine : sine;
   return a.quadrant > R(1.5) ? -value : value;
 }
 
@@ -169,8 +169,8 @@ SC_FN real sc_cos(real x) {
   const sc_angle a = sc_reduce_angle(x);
   const real sine = sc_sin_of(a);
   const real cosine = sc_cos_of(a);
-  const real value = ((a.quadrant == R(1)) | (a.quadrant == R(3))) ? sine : cosine;
-  return ((a.quadrant == R(1)) | (a.quadrant == R(2))) ? -value : value;
+  const real value = SC_FABS(a.quadrant - R(2)) == R(1) ? sine : cosine;
+  return SC_FABS(a.quadrant - R(1.5)) < R(1) ? -value : value;
 }
 
 /// A number as an unevaluated sum, twice as precise.

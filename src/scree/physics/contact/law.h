@@ -61,7 +61,7 @@ SC_FN sc_normal_action sc_press(sc_laws laws, sc_normal n, sc_touch t, sc_contac
   if (laws.normal == SC_NORMAL_LINEAR_PLAIN) {
     const real after = m.approach + (net - damping * speed) * time.kick / t.mass;
     const real share = (time.lead - t.overlap / after) * (R(1) / time.kick);
-    damping = ((after < R(0)) & (share < R(1.5))) ? share * n.damping : damping;
+    damping = (after < R(0) ? share : R(2)) < R(1.5) ? share * n.damping : damping;
     speed = sc_synchronised_speed(t.mass, m.approach, net, damping, time.lead);
   }
   const real force = spring + damping * speed;
