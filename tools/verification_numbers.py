@@ -140,6 +140,44 @@ def settling():
             print(f"settling, {name}: {speed:.9f} m/s with g = {gravity}")
 
 
+def oblique_impact(degrees, speed=3.9, steps=40000):
+    """Tangential restitution and spin of a sphere on a rigid plane: Hertz, Tsuji's dashpot, Mindlin's tangential spring.
+
+    The tangential force grows by 8 G* a ds, and falls with the radius of contact a while the contact unloads, so that
+    no cycle gains energy (Thornton, Cummins and Cleary 2013).
+    """
+    radius, density, young, poisson, restitution, friction = 0.0025, 4000, 380e9, 0.23, 0.98, 0.092
+    mass = density * 4 / 3 * pi * radius**3
+    modulus, shear = young / (1 - poisson**2), young / (2 * (1 + poisson) * (2 - poisson))
+    damping = damping_ratio(restitution)
+    slide, approach, spin = speed * sin(degrees * pi / 180), speed * cos(degrees * pi / 180), 0.0
+    start = slide
+    deepest = (15 * mass * approach**2 / (16 * modulus * sqrt(radius))) ** 0.4
+    step = 2.943 * deepest / approach / steps
+    overlap, force, stiffness_before = approach * step / 2, 0.0, 0.0
+    while overlap > 0:
+        stiffness = 8 * shear * sqrt(radius * overlap)
+        dashpot = 2 * sqrt(5 / 6) * damping * sqrt(2 * modulus * sqrt(radius * overlap) * mass)
+        normal = 4 / 3 * modulus * sqrt(radius) * overlap**1.5 + dashpot * approach
+        force *= min(1.0, stiffness / stiffness_before) if stiffness_before else 1.0
+        force -= stiffness * (slide - radius * spin) * step
+        limit = max(friction * normal, 0.0)
+        force = max(-limit, min(limit, force))
+        stiffness_before = stiffness
+        approach -= normal / mass * step
+        slide += force / mass * step
+        spin -= force * radius / (0.4 * mass * radius**2) * step
+        overlap += approach * step
+    return slide / start, spin
+
+
+def oblique_impacts():
+    """Case 06: impacts that stick for a part of the contact."""
+    for degrees in (5, 10, 15, 20, 25, 30):
+        restitution, spin = oblique_impact(degrees)
+        print(f"oblique impact at {degrees} degrees: e_t = {restitution:.4f}, omega = {spin:.2f} rad/s")
+
+
 def bonded_sphere_restitution():
     """Case 16: energy that the neck of a JKR contact takes, from its breaking to the next touch, as a speed."""
     radius, work, modulus, density = 5e-6, 0.05, 1e9, 1000.0
@@ -167,4 +205,5 @@ if __name__ == "__main__":
     sticking_threshold()
     squeezed_pair()
     settling()
+    oblique_impacts()
     bonded_sphere_restitution()

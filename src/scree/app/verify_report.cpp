@@ -18,7 +18,7 @@ std::string expected_text(const Check& check) {
 }
 
 std::string verdict_text(const Check& check) {
-  if (check.wrong) return check.passed ? "unseen" : "caught";
+  if (check.wrong) return check.passed ? "passes" : "caught";
   return check.passed ? "ok" : "FAILED";
 }
 

@@ -61,15 +61,13 @@ Outcome evaluate(Table root, const std::string& path, const std::vector<std::str
 }
 
 /// Every variant of a verification case must be a valid case itself.
-void check_variants(const Table& root, const std::vector<std::string>& overrides, Outcome& result) {
+void check_variants(const Table& root, Outcome& result) {
   for (std::size_t i = 0; i < result.c.verify.variants.size(); ++i) {
     const VariantKeys& variant = result.c.verify.variants[i];
-    std::vector<std::string> all = overrides;
-    all.insert(all.end(), variant.set.begin(), variant.set.end());
-    const Outcome changed = evaluate(root, result.c.path, all);
+    const Outcome changed = evaluate(root, result.c.path, variant.set);
     if (changed.problems.empty()) continue;
     const Problem& first = changed.problems.front();
-    const int set = first.place.source - static_cast<int>(overrides.size()) - 1;
+    const int set = first.place.source - 1;
     const std::string by = set >= 0 ? fmt::format("by \"{}\"", variant.set[set]) : "not a valid case";
     result.problems.push_back({"E181", result.origins.place(item_path("verify.variants", i) + ".set"),
                                fmt::format("variant '{}': {}", variant.name, first.message), by, first.help});
@@ -103,7 +101,8 @@ Case parse_case(std::string_view text, const std::string& path_for_messages, con
   const Table root = read_toml(text, 0, syntax);
   if (syntax) throw InputError(render(sources, {*syntax}, colour));
   Outcome result = evaluate(root, path_for_messages, overrides);
-  if (result.problems.empty()) check_variants(root, overrides, result);
+  // With overrides this may be a variant itself, which those of the others would contradict.
+  if (result.problems.empty() && overrides.empty()) check_variants(root, result);
   if (!result.problems.empty()) throw InputError(render(sources, result.problems, colour));
   return result.c;
 }
