@@ -14,6 +14,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
 
 COLOURS = ["#0b6e99", "#d1495b", "#e8a33d", "#4f8a5b", "#7a5195", "#8c6d46", "#5c6b73"]
 REFERENCE = {"color": "black", "linewidth": 1.0, "zorder": 3}
@@ -50,6 +51,10 @@ def draw_plot(axes, plot):
     if plot["logarithmic"]:
         axes.set_xscale("log")
         axes.set_yscale("log")
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+            axis.set_minor_formatter(NullFormatter())
     axes.set_title(plot["title"], fontsize=10)
     axes.set_xlabel(plot["x_label"])
     axes.set_ylabel(plot["y_label"])
@@ -66,14 +71,16 @@ def draw_case(source, target):
         return False
     columns = min(len(plots), 3 if len(plots) in (3, 5, 6, 9) else 2)
     rows = -(-len(plots) // columns)
-    figure, grid = plt.subplots(rows, columns, figsize=(5.2 * columns, 3.7 * rows + 0.9), squeeze=False)
+    height = 3.7 * rows + 1.1
+    figure, grid = plt.subplots(rows, columns, figsize=(5.2 * columns, height), squeeze=False)
     for axes, plot in zip(grid.flat, plots):
         draw_plot(axes, plot)
     for axes in list(grid.flat)[len(plots):]:
         axes.axis("off")
-    figure.suptitle(fill(case["title"], 24 * columns + 40), fontsize=12, fontweight="bold")
-    figure.text(0.5, 0.005, fill(case["source"], 60 * columns), ha="center", va="bottom", fontsize=7.5, color="#555555")
-    figure.tight_layout(rect=(0, 0.035, 1, 1))
+    figure.suptitle(fill(case["title"], 40 * columns), fontsize=12, fontweight="bold", y=1 - 0.1 / height, va="top")
+    figure.text(0.5, 0.1 / height, fill(case["source"], 60 * columns), ha="center", va="bottom", fontsize=7.5,
+                color="#555555")
+    figure.tight_layout(rect=(0, 0.4 / height, 1, 1 - 0.45 / height))
     figure.savefig(target, dpi=110)
     plt.close(figure)
     return True

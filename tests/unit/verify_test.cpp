@@ -176,6 +176,8 @@ TEST(VerifyJudge, ToleranceAndBoundsDecide) {
   bounds.at_least = 2.01;
   EXPECT_FALSE(passes(bounds));
   EXPECT_FALSE(passes(expectation("when(\"p0.vx - 9\", 1)", "0", 1e9)));
+  bounds.value = "1 / 0";
+  EXPECT_FALSE(passes(bounds));
 }
 
 TEST(VerifyJudge, AWrongVariantMustBeCaught) {
