@@ -1,3 +1,4 @@
+// The report of `scree check`: what follows from a case, with a verdict and a remedy where something is doubtful.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -175,9 +175,4 @@ std::optional<CohesiveImpact> typical_impact(const Case& c, const Materials& mat
   return cohesive_impact(e, c.contact.laws);
 }
 
-double stickiness_at(const Case& c, const Materials& materials, double speed) {
-  const std::optional<CohesiveImpact> impact = std::isfinite(speed) ? typical_impact(c, materials) : std::nullopt;
-  return impact ? stickiness_number(*impact, speed) : std::numeric_limits<double>::quiet_NaN();
-}
-
 }  // namespace scree

@@ -83,9 +83,6 @@ double time_step_of(const Case& c, const Materials& materials);
 /// (see typical_encounter). Empty without linear cohesion. Draws all diameters of the case: keep the result.
 std::optional<CohesiveImpact> typical_impact(const Case& c, const Materials& materials);
 
-/// Stickiness number of a typical encounter of the case at `speed` [m/s]; NaN without linear cohesion or without speed.
-double stickiness_at(const Case& c, const Materials& materials, double speed);
-
 /// The text of `scree check`: every number with a verdict (ok, warning, refused) and a remedy where it is not ok.
 std::string check_report(const Case& c, const Derived& derived);
 

@@ -38,8 +38,8 @@ void Simulation::evaluate_fields() {
 /// Contacts, kick and drift in one pass: each tile of particles passes through the cache once.
 void Simulation::advance_particles() {
   const Stopwatch watch(stages_, "contacts and motion");
-  SweepView view = view_of(system_, lists_, move_now(), contact_time_now());
-  view.field = act_locally(fields_) ? field_.data() : nullptr;
+  const sc_field* field = act_locally(fields_) ? field_.data() : nullptr;
+  const SweepView view = view_of(system_, lists_, move_now(), contact_time_now(), field);
   findings_ = sweep(lists_.kernels, view, lists_.plan);
   tally_.contacts += findings_.contacts;
   tally_.impacts += findings_.impacts;

@@ -101,8 +101,7 @@ void take_sample(const ParticleSystem& system, ContactLists& lists, sc_move move
   move.kick = time.lead;
   move.drift = 0;
   time.kick = time.lead;
-  SweepView view = view_of(out.system, lists, move, time);
-  view.field = field;
+  SweepView view = view_of(out.system, lists, move, time, field);
   view.force = out.force.data();
   out.findings = sweep(lists.kernels, view, lists.plan);
   out.stored = stored_energy(out.system);

@@ -6,24 +6,26 @@
 namespace scree {
 namespace {
 
-/// What a particle has gathered: the lanes of a slot and of a couple.
+/// What a particle has gathered.
 struct Gathered {
-  lane8 slot{};    // force x y z, loss normal | turn x y z, loss sliding
-  lane4 couple{};  // couple x y z, loss rolling
+  lane4 force{};   // x y z, loss by normal damping
+  lane4 turn{};    // lever * (normal x force) x y z, loss by sliding
+  lane4 couple{};  // x y z, loss by rolling
 };
 
 [[gnu::always_inline]] inline Gathered gather(const SweepView& v, std::int64_t p) {
   // The partner feels the opposite force and couple, the same turn; the two share the losses.
-  static constexpr lane8 share[2] = {{1, 1, 1, 0.5, 1, 1, 1, 0.5}, {-1, -1, -1, 0.5, 1, 1, 1, 0.5}};
-  static constexpr lane4 couple_share[2] = {{1, 1, 1, 0.5}, {-1, -1, -1, 0.5}};
-  Gathered g;
-  for (std::int32_t k = v.gather_first[p]; k < v.gather_first[p + 1]; ++k) {
-    const std::uint32_t entry = v.gather[k];
-    const std::int64_t s = entry >> 1;
-    g.slot += load8(v.slots + 8 * s) * share[entry & 1];
-    if (v.couples) g.couple += load4(v.couples + 4 * s) * couple_share[entry & 1];
+  static constexpr lane4 share[2] = {{1, 1, 1, 0.5}, {-1, -1, -1, 0.5}};
+  lane4 force{}, turn{}, couple{};
+  const std::uint32_t* entry = v.gather + v.gather_first[p];
+  const std::uint32_t* const end = v.gather + v.gather_first[p + 1];
+  for (; entry != end; ++entry) {
+    const double* slot = v.slots + 8 * std::int64_t{*entry >> 1};
+    force += load4(slot) * share[*entry & 1];
+    turn += load4(slot + 4);
+    if (v.couples) couple += load4(v.couples + 4 * std::int64_t{*entry >> 1}) * share[*entry & 1];
   }
-  return g;
+  return {force, turn * share[0], couple};
 }
 
 [[gnu::always_inline]] inline sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
@@ -56,7 +58,8 @@ template <class Laws>
       sc_contact_act(laws, v.law[v.material[p] * v.materials + wall.material], t.touch, v.time, state);
   const sc_vec force = sc_add(r.action.normal_force, r.action.tangential_force);
   const sc_vec turn = sc_scale(t.lever, sc_cross(t.touch.normal, r.action.tangential_force));
-  g.slot += lane8{force.x, force.y, force.z, r.action.loss_normal, turn.x, turn.y, turn.z, r.action.loss_sliding};
+  g.force += lane4{force.x, force.y, force.z, r.action.loss_normal};
+  g.turn += lane4{turn.x, turn.y, turn.z, r.action.loss_sliding};
   g.couple += lane4{r.action.couple.x, r.action.couple.y, r.action.couple.z, r.action.loss_rolling};
   const double keep = r.action.touching ? 1 : 0;
   store4(slide, keep * lane4{r.state.slide.x, r.state.slide.y, r.state.slide.z, r.state.bonded});
@@ -95,14 +98,14 @@ inline void book(const SweepView& v, std::int64_t p, const sc_sphere_motion& bef
 
 [[gnu::always_inline]] inline sc_sphere_load load_of(const Gathered& g) {
   sc_sphere_load l;
-  l.force = sc_make_vec(g.slot[0], g.slot[1], g.slot[2]);
-  l.turn = sc_make_vec(g.slot[4], g.slot[5], g.slot[6]);
+  l.force = sc_make_vec(g.force[0], g.force[1], g.force[2]);
+  l.turn = sc_make_vec(g.turn[0], g.turn[1], g.turn[2]);
   l.couple = sc_make_vec(g.couple[0], g.couple[1], g.couple[2]);
   return l;
 }
 
 /// Puts a coordinate back into the box; true if it has left along an axis that is not periodic.
-[[gnu::always_inline]] inline bool wrap(const SweepView& v, std::int64_t p, double* x) {
+[[gnu::noinline]] bool wrap(const SweepView& v, std::int64_t p, double* x) {
   bool outside = false;
   for (int k = 0; k < 3; ++k) {
     if (x[k] >= v.low[k] && x[k] < v.high[k]) continue;
@@ -124,17 +127,39 @@ inline void book(const SweepView& v, std::int64_t p, const sc_sphere_motion& bef
   return outside;
 }
 
+/// Walls, fields and infinite mass: what a particle meets besides free particles.
+template <class Laws>
+[[gnu::noinline]] sc_sphere_moved move_among_others(const SweepView& v, std::int64_t p, const sc_sphere_motion& s,
+                                                    Gathered& g, SweepFindings& findings) {
+  Gathered walls{};
+  for (std::int64_t w = v.walls.first[p]; w < v.walls.first[p + 1]; ++w) add_wall<Laws>(v, p, w, walls, findings);
+  g.force += walls.force;
+  g.turn += walls.turn;
+  g.couple += walls.couple;
+  const sc_sphere_load all = load_of(g);
+  sc_move m = v.move;
+  sc_field field{sc_zero_vec(), sc_zero_vec()};
+  if (v.field)
+    field = v.field[p];
+  else
+    m.drag = SC_DRAG_NONE;
+  const sc_sphere_moved moved = sc_move_sphere(m, s, all, field);
+  book(v, p, s, load_of(walls), all, moved);
+  return moved;
+}
+
+/// The plain case, without a detour: contacts with particles and uniform gravity only.
+[[gnu::always_inline]] inline sc_sphere_motion move_freely(const SweepView& v, const sc_sphere_motion& s,
+                                                           const Gathered& g) {
+  sc_move m = v.move;
+  m.drag = SC_DRAG_NONE;
+  m.rotation = sc_zero_vec();
+  return sc_move_sphere(m, s, load_of(g), {sc_zero_vec(), sc_zero_vec()}).motion;
+}
+
 template <class Laws>
 [[gnu::always_inline]] inline void move(const SweepView& v, std::int64_t p, SweepFindings& findings) {
   Gathered g = gather(v, p);
-  Gathered walls{};
-  bool outside_world = v.field || v.book_gravity || v.motion[8 * p + 7] == 0;
-  if (v.walls.first && v.walls.first[p] < v.walls.first[p + 1]) {
-    for (std::int64_t w = v.walls.first[p]; w < v.walls.first[p + 1]; ++w) add_wall<Laws>(v, p, w, walls, findings);
-    g.slot += walls.slot;
-    g.couple += walls.couple;
-    outside_world = true;
-  }
   double *m = v.motion + 8 * p, *spin = v.spin + 4 * p;
   sc_sphere_motion s;
   s.position = vec_of(m);
@@ -143,28 +168,21 @@ template <class Laws>
   s.radius = m[3];
   s.inverse_mass = m[7];
   s.inverse_radius = spin[3];
-  const sc_sphere_load all = load_of(g);
-  if (v.force) store4(v.force + 4 * p, lane4{all.force.x, all.force.y, all.force.z, 0});
-  sc_sphere_moved moved;
-  if (v.field) {
-    moved = sc_move_sphere(v.move, s, all, v.field[p]);
-  } else {
-    sc_move bare = v.move;
-    bare.drag = SC_DRAG_NONE;
-    moved = sc_move_sphere(bare, s, all, {sc_zero_vec(), sc_zero_vec()});
-  }
-  if (outside_world) book(v, p, s, load_of(walls), all, moved);
-  const sc_sphere_motion& q = moved.motion;
-  double x[3] = {q.position.x, q.position.y, q.position.z};
-  findings.inside = findings.inside && !wrap(v, p, x);
-  store4(m, lane4{x[0], x[1], x[2], s.radius});
+  const bool alone = !v.others && v.walls.first[p] == v.walls.first[p + 1] && s.inverse_mass > 0;
+  const sc_sphere_motion q = alone ? move_freely(v, s, g) : move_among_others<Laws>(v, p, s, g, findings).motion;
+  if (v.force) store4(v.force + 4 * p, last_of(g.force, lane4{}));
+  double x[4] = {q.position.x, q.position.y, q.position.z, s.radius};
+  const bool inside = (x[0] >= v.low[0]) & (x[0] < v.high[0]) & (x[1] >= v.low[1]) & (x[1] < v.high[1]) &
+                      (x[2] >= v.low[2]) & (x[2] < v.high[2]);
+  if (!inside) findings.inside = !wrap(v, p, x) && findings.inside;
+  store4(m, load4(x));
   store4(m + 4, lane4{q.velocity.x, q.velocity.y, q.velocity.z, s.inverse_mass});
   store4(spin, lane4{q.rim.x, q.rim.y, q.rim.z, s.inverse_radius});
   double* loss = v.loss + 4 * p;
-  store4(loss, load4(loss) + lane4{g.slot[3], g.slot[7], g.couple[3], 0});
+  store4(loss, load4(loss) + lane4{g.force[3], g.turn[3], g.couple[3], 0});
   const double speed2 = sc_dot(q.velocity, q.velocity);
   findings.fastest2 = SC_MAX(findings.fastest2, speed2);
-  findings.sound = findings.sound && speed2 < 1e300;
+  findings.sound = findings.sound & (speed2 < 1e300);
 }
 
 }  // namespace

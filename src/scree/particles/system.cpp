@@ -122,7 +122,8 @@ void note_travel(ContactLists& lists, double distance) {
   ++lists.passes;
 }
 
-SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, const sc_contact_time& time) {
+SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, const sc_contact_time& time,
+                  const sc_field* field) {
   Particles& p = s.particles;
   SweepView v{};
   v.motion = p.motion.values.data();
@@ -162,7 +163,9 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
   v.half_period[3] = std::numeric_limits<double>::infinity();
   v.move = move;
   const sc_vec& g = move.gravity;
+  v.field = field;
   v.book_gravity = !s.domain.any_periodic() && (g.x != 0 || g.y != 0 || g.z != 0);
+  v.others = field || v.book_gravity || sc_dot(move.rotation, move.rotation) > 0;
   return v;
 }
 

@@ -49,8 +49,9 @@ bool refresh_lists(ParticleSystem& system, ContactLists& lists, int threads);
 /// Notes that particles moved by at most `distance` [m] since the last call.
 void note_travel(ContactLists& lists, double distance);
 
-/// The view of the system for a pass.
-SweepView view_of(ParticleSystem& system, ContactLists& lists, const sc_move& move, const sc_contact_time& time);
+/// The view of the system for a pass. `field` is what acts at each particle, or null.
+SweepView view_of(ParticleSystem& system, ContactLists& lists, const sc_move& move, const sc_contact_time& time,
+                  const sc_field* field);
 
 /// Longest range of interaction between two particle surfaces of the system's bodies, beyond their bodies [m].
 double reach_beyond_bodies(const ParticleSystem& system);
