@@ -75,6 +75,7 @@ struct Key {
   Key& at_least(double x) { return limits.low = x, *this; }
   Key& below(double x) { return limits.high = x, limits.high_open = true, *this; }
   Key& at_most(double x) { return limits.high = x, *this; }
+  Key& between(double low, double high) { return at_least(low).at_most(high); }
   Key& one_of(std::vector<std::string> words) { return choices = std::move(words), *this; }
   Key& is_a(TextKind kind) { return text = kind, *this; }
   Key& required() { return is_required = true, *this; }

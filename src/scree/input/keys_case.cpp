@@ -40,8 +40,7 @@ const Section& simulation_section() {
            .above(0)
            .or_word("auto"),
        key("steps_per_contact", &S::steps_per_contact, "time steps in the shortest contact when time_step is \"auto\"")
-           .at_least(1)
-           .at_most(1e6),
+           .between(1, 1e6),
        key("top_speed", &S::top_speed, "fastest impact that the automatic time step and `scree check` count with")
            .unit("m/s")
            .above(0)
@@ -115,8 +114,7 @@ const Section& analysis_section() {
                                        "found, at every row of the series"),
                                    key("stop_agglomerated", &S::stop_agglomerated,
                                        "ends the run when this fraction of the particles is in agglomerates; 0: never")
-                                       .at_least(0)
-                                       .at_most(1)
+                                       .between(0, 1)
                                        .only_with("agglomerates", {"true"})},
                                   [] { return std::make_shared<S>(); }};
   return section;

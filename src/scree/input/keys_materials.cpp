@@ -23,20 +23,15 @@ const Section& materials_section() {
            .unit("N/m")
            .above(0)
            .defaults_to("none"),
-       key("restitution", &S::restitution, "speed after over speed before a head-on collision")
-           .at_least(1e-4)
-           .at_most(1),
-       key("friction", &S::friction, "coefficient of friction, static and sliding").at_least(0).at_most(100),
+       key("restitution", &S::restitution, "speed after over speed before a head-on collision").between(1e-4, 1),
+       key("friction", &S::friction, "coefficient of friction, static and sliding").between(0, 100),
        key("friction_sliding", &S::friction_sliding, "coefficient while sliding")
-           .at_least(0)
-           .at_most(100)
+           .between(0, 100)
            .defaults_to("as friction"),
        key("rolling_friction", &S::rolling_friction, "largest rolling couple over radius times normal force")
-           .at_least(0)
-           .at_most(100),
+           .between(0, 100),
        key("twisting_friction", &S::twisting_friction, "largest twisting couple over radius times normal force")
-           .at_least(0)
-           .at_most(100),
+           .between(0, 100),
        key("cohesion_stiffness", &S::cohesion_stiffness,
            "of linear cohesion: force over the overlap of the effect surfaces")
            .unit("N/m")
@@ -58,24 +53,19 @@ const Section& pairs_section() {
        key("stiffness", &S::stiffness, "of the linear normal spring").unit("N/m").above(0).defaults_to("mixed"),
        key("young", &S::young, "effective modulus E* of the pair").unit("Pa").above(0).defaults_to("mixed"),
        key("restitution", &S::restitution, "speed after over speed before a head-on collision")
-           .at_least(1e-4)
-           .at_most(1)
+           .between(1e-4, 1)
            .defaults_to("mixed"),
        key("friction", &S::friction, "coefficient of friction, static and sliding")
-           .at_least(0)
-           .at_most(100)
+           .between(0, 100)
            .defaults_to("mixed"),
        key("friction_sliding", &S::friction_sliding, "coefficient while sliding")
-           .at_least(0)
-           .at_most(100)
+           .between(0, 100)
            .defaults_to("as friction if that is given, else mixed"),
        key("rolling_friction", &S::rolling_friction, "largest rolling couple over radius times normal force")
-           .at_least(0)
-           .at_most(100)
+           .between(0, 100)
            .defaults_to("mixed"),
        key("twisting_friction", &S::twisting_friction, "largest twisting couple over radius times normal force")
-           .at_least(0)
-           .at_most(100)
+           .between(0, 100)
            .defaults_to("mixed"),
        key("cohesion_stiffness", &S::cohesion_stiffness, "of linear cohesion")
            .unit("N/m")

@@ -87,14 +87,12 @@ const Section& particles_section() {
        key("motion", &S::motion,
            "free: moved by forces; fixed: at rest; prescribed: moved by formulas; the last two have infinite mass")
            .one_of({"free", "fixed", "prescribed"}),
-       key("motion_velocity", &S::motion_velocity,
-           "components of the prescribed velocity; x, y, z are the initial position")
+       key("motion_velocity", &S::motion_velocity, "components of the velocity; x, y, z are the initial position")
            .unit("m/s")
            .required()
            .only_with("motion", {"prescribed"}),
        key("insert", &S::insert,
-           "lattice: cubic lattice; random: at random without overlap; file: columns of a CSV file; positions: given "
-           "here")
+           "lattice: cubic; random: without overlap; file: columns of a CSV file; positions: listed")
            .one_of({"lattice", "random", "file", "positions"}),
        key("region_min", &S::region_min, "lower corner of the box to fill")
            .unit("m")
@@ -108,16 +106,14 @@ const Section& particles_section() {
            .at_most(1e10)
            .only_with("insert", filled),
        key("solid_fraction", &S::solid_fraction, "volume of the particles over that of the region; 0: from count")
-           .at_least(0)
-           .at_most(0.5)
+           .between(0, 0.5)
            .only_with("insert", {"random"}),
        key("spacing", &S::spacing, "distance of neighbours on the lattice; 0: the region is filled evenly with count")
            .unit("m")
            .at_least(0)
            .only_with("insert", {"lattice"}),
        key("jitter", &S::jitter, "largest random shift off the lattice, as a fraction of the free gap")
-           .at_least(0)
-           .at_most(1)
+           .between(0, 1)
            .only_with("insert", {"lattice"}),
        key("file", &S::file,
            "CSV file with the columns x, y, z and perhaps vx, vy, vz, wx, wy, wz, diameter, in SI units; relative to "
@@ -129,8 +125,7 @@ const Section& particles_section() {
        table("velocity", &S::velocity, velocity_section(), "value"),
        key("angular_velocity", &S::angular_velocity, "initial angular velocity").unit("rad/s"),
        key("attempts", &S::attempts, "tries for each particle before random insertion gives up")
-           .at_least(1)
-           .at_most(1e9)
+           .between(1, 1e9)
            .only_with("insert", {"random"})},
       [] { return std::make_shared<S>(); }};
   return section;

@@ -132,23 +132,20 @@ const Section& contact_section() {
            .at_most(10)
            .only_with("tangential", springs),
        key("tangential_damping", &S::tangential_damping, "damping ratio of the tangential spring")
-           .at_least(0)
-           .at_most(10)
+           .between(0, 10)
            .defaults_to("as the normal one")
            .only_with("tangential", {"collision_spring_damped", "history", "mindlin"}),
        key("rolling_stiffness_ratio", &S::rolling_stiffness_ratio, "rolling stiffness over k_t R^2")
            .above(0)
            .only_with("rolling", {"spring"}),
        key("rolling_damping", &S::rolling_damping, "damping ratio of rolling")
-           .at_least(0)
-           .at_most(10)
+           .between(0, 10)
            .only_with("rolling", {"spring"}),
        key("twisting_stiffness_ratio", &S::twisting_stiffness_ratio, "twisting stiffness over k_t R^2")
            .above(0)
            .only_with("twisting", {"spring"}),
        key("twisting_damping", &S::twisting_damping, "damping ratio of twisting")
-           .at_least(0)
-           .at_most(10)
+           .between(0, 10)
            .only_with("twisting", {"spring"})},
       [] { return std::make_shared<S>(); }};
   return section;

@@ -16,6 +16,12 @@ bool is_place_holder(const Key& key, const std::string& text, void* keys) {
   return text == "\"\"" || text == "[]" || (number != nullptr && !key.limits.contains((*number)(keys)));
 }
 
+/// Whether the key describes the run, and not what `scree verify` does with the case.
+bool describes_run(const Key& key) {
+  const Section* opened = opened_by(key);
+  return opened != &verify_section() && opened != &expect_section();
+}
+
 /// Plain keys first, then the tables, as TOML demands.
 void write_keys(std::string& out, const Section& section, void* keys) {
   for (const Key& key : section.keys) {
@@ -28,7 +34,7 @@ void write_keys(std::string& out, const Section& section, void* keys) {
       out += fmt::format("{} = {}{}\n", key.name, *value, key.si_unit.empty() ? "" : "  # " + key.si_unit);
   }
   for (const Key& key : section.keys) {
-    if (!applies(section, key, keys)) continue;
+    if (!applies(section, key, keys) || !describes_run(key)) continue;
     if (const auto* nested = std::get_if<Nested>(&key.slot)) {
       out += fmt::format("\n[{}]\n", nested->section->path);
       write_keys(out, *nested->section, nested->at(keys));

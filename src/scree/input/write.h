@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// TOML text that loads to the same case: every key that applies, in SI units, with its unit. Begins with a comment
-/// that names program and version.
+/// TOML text that loads to the same run: every key that applies, in SI units, with its unit. Begins with a comment that
+/// names program and version. What `scree verify` reads is left out: a run may be one of its variants already.
 std::string resolved_case(const Case& c);
 
 }  // namespace scree
