@@ -1,0 +1,89 @@
+"""Cases that come with the program: all pass `scree check`, the examples run. usage: cases_test.py PROGRAM SOURCE"""
+
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+
+import numpy as np
+
+PROGRAM, SOURCE = sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
+STEPS = 150
+
+
+def scree(*arguments, directory=None):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=directory,
+                          env={**os.environ, "OMP_WAIT_POLICY": "passive"})
+
+
+def metres(length):
+    number, _, unit = str(length).partition(" ")
+    return float(number) * {"": 1, "m": 1, "mm": 1e-3}[unit]
+
+
+def one_particle(case, path):
+    """A table with one particle in the middle of the domain of a case whose own table is made on demand."""
+    domain = tomllib.loads(case.read_text())["domain"]
+    middle = [(metres(low) + metres(high)) / 2 for low, high in zip(domain["min"], domain["max"])]
+    path.write_text("x,y,z\n" + ",".join(map(str, middle)) + "\n")
+    return path
+
+
+class Cases(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.directory = pathlib.Path(temporary.name)
+
+    def assertPasses(self, result):
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+    def test_every_case_passes_the_check(self):
+        cases = sorted([*SOURCE.glob("examples/*/case.toml"), *SOURCE.glob("verify/*/case.toml"),
+                        *SOURCE.glob("bench/*.toml")])
+        self.assertGreater(len(cases), 25)
+        for case in cases:
+            with self.subTest(case=case.relative_to(SOURCE).as_posix()):
+                changes = []
+                if case.parent.name == "bench" and re.search(r"^file = ", case.read_text(), re.MULTILINE):
+                    table = one_particle(case, self.directory / "particles.csv")
+                    changes = ["--set", f'particles.0.file="{table}"']
+                self.assertPasses(scree("check", case, *changes))
+
+    def test_every_example_runs(self):
+        for example in sorted(SOURCE.glob("examples/*/case.toml")):
+            with self.subTest(example=example.parent.name):
+                self.assertTrue((example.parent / "README.md").exists())
+                checked = scree("check", example)
+                self.assertPasses(checked)
+                step = float(re.search(r"time step +(\S+) s", checked.stdout).group(1))
+                out = self.directory / example.parent.name
+                self.assertPasses(scree("run", example, "--until", STEPS * step, "--threads", 2, "-o", out, "--quiet"))
+                summary = json.loads((out / "summary.json").read_text())
+                self.assertEqual(summary["status"], "finished")
+                self.assertAlmostEqual(summary["steps"], STEPS, delta=2)
+                series = np.atleast_1d(np.genfromtxt(out / "series.csv", delimiter=",", names=True))
+                self.assertAlmostEqual(series["time"][-1], summary["time"])
+                self.assertTrue(np.all(np.isfinite(series["kinetic_energy"])))
+                self.assertTrue((out / "frames" / "frame_000000.h5").exists())
+
+    def test_the_first_steps_of_the_readme_work(self):
+        """The case that README.md prints is a case, and every program call it prints exists."""
+        text = (SOURCE / "README.md").read_text()
+        cases = re.findall(r"^```toml\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+        self.assertEqual(len(cases), 1)
+        (self.directory / "first.toml").write_text(cases[0])
+        self.assertPasses(scree("check", "first.toml", directory=self.directory))
+        self.assertPasses(scree("run", "first.toml", directory=self.directory))
+        self.assertTrue((self.directory / "runs" / "first" / "summary.json").exists())
+        for command in set(re.findall(r"\bscree ([a-z]+)\b(?= |$|`)", text)) - {"is"}:
+            self.assertPasses(scree(command, "--help"))
+
+
+if __name__ == "__main__":
+    unittest.main()
