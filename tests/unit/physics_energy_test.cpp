@@ -82,10 +82,12 @@ TEST(Energy, ClosesForEveryLawAndNothingGains) {
     };
     const bool turning = laws.rolling != 0 || laws.twisting != 0;
     EXPECT_LT(coarse.error, 1e-2) << name();
-    // Of second order; of first with rolling and twisting, whose dashpots do not know the bodies' moments of inertia.
+    // Of second order; of first with rolling and twisting, whose dashpots do not know the bodies' moments of inertia. A
+    // linear tangential spring under Hertz's load is cut by a limit that it does not follow: between the two.
+    const double order = laws.normal == SC_NORMAL_HERTZ && laws.tangential == SC_TANGENTIAL_HISTORY ? 1.3 : 1.6;
     EXPECT_LT(fine.error, turning ? 2e-3 : 6e-4) << name();
     if (!turning && laws.normal != SC_NORMAL_LINEAR_PLAIN) {
-      EXPECT_GT(std::log2(coarse.error / fine.error) / 2, 1.6) << name();
+      EXPECT_GT(std::log2(coarse.error / fine.error) / 2, order) << name();
     }
     EXPECT_GE(std::min(coarse.least, fine.least), -1e-15) << name();
   });
@@ -130,7 +132,7 @@ TEST(Symmetry, SwappingThePartnersChangesSignsAndNoBits) {
       s.slide = random_vec(random, 1e-7);
       s.roll = random_vec(random, 1e-4);
       s.twist = 1e-4;
-      s.bonded = laws.cohesion == SC_COHESION_JKR ? i % 2 : 0;
+      s.acted = i % 2;
       sc_sphere_pair q = p;
       q.branch = minus(p.branch);
       q.velocity = minus(p.velocity);
@@ -149,7 +151,8 @@ TEST(Symmetry, SwappingThePartnersChangesSignsAndNoBits) {
       ASSERT_TRUE(same(a.state.slide, minus(b.state.slide)));
       ASSERT_TRUE(same(a.state.roll, minus(b.state.roll)));
       ASSERT_EQ(a.state.twist, b.state.twist);
-      ASSERT_EQ(a.state.bonded, b.state.bonded);
+      ASSERT_EQ(a.state.acted, b.state.acted);
+      ASSERT_EQ(a.state.approach, b.state.approach);
       ASSERT_EQ(a.action.loss_normal, b.action.loss_normal);
       ASSERT_EQ(a.action.loss_sliding, b.action.loss_sliding);
       ASSERT_EQ(a.action.loss_rolling, b.action.loss_rolling);

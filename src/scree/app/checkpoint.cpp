@@ -15,12 +15,12 @@ namespace {
 /// Contacts with memory, by key; directions are those from the lower id to the higher.
 struct KeyedPairs {
   std::vector<std::int64_t> ids;  // [contacts][2]
-  std::vector<double> memory;     // [contacts][8]: slide x y z, bond, roll x y z, twist
+  std::vector<double> memory;     // [contacts][9]: slide x y z, approach, roll x y z, twist, slid
 };
 
 struct KeyedWalls {
   std::vector<std::int64_t> ids;  // [contacts][2]: particle, face
-  std::vector<double> memory;     // [contacts][8]
+  std::vector<double> memory;     // [contacts][9]
 };
 
 /// Order of rows of two numbers.
@@ -38,16 +38,19 @@ Keyed sorted(const Keyed& in) {
   Keyed out;
   for (const std::size_t k : order_of(in.ids)) {
     out.ids.insert(out.ids.end(), &in.ids[2 * k], &in.ids[2 * k] + 2);
-    out.memory.insert(out.memory.end(), &in.memory[8 * k], &in.memory[8 * k] + 8);
+    out.memory.insert(out.memory.end(), &in.memory[9 * k], &in.memory[9 * k] + 9);
   }
   return out;
 }
 
-void append_memory(std::vector<double>& to, const Buffer<double>& slide, const Buffer<double>& roll, std::size_t c,
-                   double sign) {
+/// The memory of contact c of a list that holds pairs or walls.
+template <class Contacts>
+void append_memory(std::vector<double>& to, const Contacts& contacts, std::size_t c, double sign) {
+  const auto &slide = contacts.slide, &roll = contacts.roll;
   for (int k = 0; k < 3; ++k) to.push_back(sign * slide[4 * c + k]);
   to.push_back(slide[4 * c + 3]);
-  for (int k = 0; k < 4; ++k) to.push_back(roll.empty() ? 0.0 : sign * roll[4 * c + k]);
+  for (int k = 0; k < 3; ++k) to.push_back(roll.empty() ? 0.0 : sign * roll[4 * c + k]);
+  to.push_back(roll.empty() ? 0.0 : roll[4 * c + 3]);
 }
 
 KeyedPairs keyed_pairs(const ParticleSystem& s) {
@@ -57,7 +60,7 @@ KeyedPairs keyed_pairs(const ParticleSystem& s) {
     const std::int64_t a = s.particles.id[s.contacts.pairs.owner[c]], b = s.particles.id[s.contacts.pairs.partner[c]];
     out.ids.push_back(std::min(a, b));
     out.ids.push_back(std::max(a, b));
-    append_memory(out.memory, s.contacts.slide, s.contacts.roll, c, a < b ? 1 : -1);
+    append_memory(out.memory, s.contacts, c, a < b ? 1 : -1);
   }
   return sorted(out);
 }
@@ -69,7 +72,7 @@ KeyedWalls keyed_walls(const ParticleSystem& s) {
       if (!s.wall_contacts.active[w]) continue;
       out.ids.push_back(s.particles.id[p]);
       out.ids.push_back(s.wall_contacts.wall[w]);
-      append_memory(out.memory, s.wall_contacts.slide, s.wall_contacts.roll, w, 1);
+      append_memory(out.memory, s.wall_contacts, w, 1);
     }
   return sorted(out);
 }
@@ -102,9 +105,9 @@ PairContacts contacts_of(std::span<const std::int64_t> ids, std::span<const doub
     if (a == row.end() || b == row.end()) throw InputError("a contact names a particle that is not there");
     out.pairs.owner[c] = a->second;
     out.pairs.partner[c] = b->second;
-    out.active[c] = 1;
-    std::copy_n(&memory[8 * c], 4, &out.slide[4 * c]);
-    if (rolling) std::copy_n(&memory[8 * c + 4], 4, &out.roll[4 * c]);
+    out.active[c] = contact_code(true, memory[9 * c + 8] != 0);
+    std::copy_n(&memory[9 * c], 4, &out.slide[4 * c]);
+    if (rolling) std::copy_n(&memory[9 * c + 4], 4, &out.roll[4 * c]);
   }
   return out;
 }
@@ -129,9 +132,9 @@ WallContacts walls_of(std::span<const std::int64_t> ids, std::span<const double>
   for (std::size_t i = 0; i < p.size(); ++i) {
     for (const std::size_t c : mine[i]) {
       out.wall[next] = static_cast<std::int32_t>(ids[2 * c + 1]);
-      out.active[next] = 1;
-      std::copy_n(&memory[8 * c], 4, &out.slide[4 * std::size_t(next)]);
-      std::copy_n(&memory[8 * c + 4], 4, &out.roll[4 * std::size_t(next)]);
+      out.active[next] = contact_code(true, memory[9 * c + 8] != 0);
+      std::copy_n(&memory[9 * c], 4, &out.slide[4 * std::size_t(next)]);
+      std::copy_n(&memory[9 * c + 4], 4, &out.roll[4 * std::size_t(next)]);
       ++next;
     }
     out.first[i + 1] = next;
@@ -184,10 +187,10 @@ Archive Simulation::save() const {
   });
   KeyedPairs pairs = keyed_pairs(system_);
   out.put("pair_ids", std::move(pairs.ids), 2);
-  out.put("pair_memory", std::move(pairs.memory), 8);
+  out.put("pair_memory", std::move(pairs.memory), 9);
   KeyedWalls walls = keyed_walls(system_);
   out.put("wall_ids", std::move(walls.ids), 2);
-  out.put("wall_memory", std::move(walls.memory), 8);
+  out.put("wall_memory", std::move(walls.memory), 9);
   return out;
 }
 
@@ -208,9 +211,9 @@ void Simulation::restore(const Archive& archive) {
     if (values.size() != column.values.size()) throw InputError(archive.origin + ": wrong number of " + std::string(name));
     std::copy(values.begin(), values.end(), column.values.begin());
   });
-  system_.contacts = contacts_of(archive.get<std::int64_t>("pair_ids", 2), archive.get<double>("pair_memory", 8),
+  system_.contacts = contacts_of(archive.get<std::int64_t>("pair_ids", 2), archive.get<double>("pair_memory", 9),
                                  system_.particles, system_.contacts.remembers_rolling);
-  system_.wall_contacts = walls_of(archive.get<std::int64_t>("wall_ids", 2), archive.get<double>("wall_memory", 8),
+  system_.wall_contacts = walls_of(archive.get<std::int64_t>("wall_ids", 2), archive.get<double>("wall_memory", 9),
                                    system_.particles, system_.walls.size());
   lists_ = prepare_lists(system_, case_.simulation.skin);
   sampled_step_ = -1;

@@ -90,7 +90,7 @@ void needed_by_laws(const Check& check) {
   const sc_laws& laws = c.contact.laws;
   const bool springs = laws.normal == SC_NORMAL_LINEAR || laws.normal == SC_NORMAL_LINEAR_PLAIN;
   const bool tangential = laws.tangential >= SC_TANGENTIAL_STEP_SPRING && laws.tangential <= SC_TANGENTIAL_HISTORY;
-  const bool elastic = laws.normal == SC_NORMAL_HERTZ || laws.tangential == SC_TANGENTIAL_MINDLIN;
+  const bool elastic = laws.normal == SC_NORMAL_HERTZ || sc_tangential_grows(laws);
   const auto met = partners(c);
   for (std::size_t i = 0; i < c.materials.size(); ++i) {
     const MaterialKeys& m = c.materials[i];
@@ -120,7 +120,7 @@ void laws_agree(const Check& check) {
   if (laws.cohesion == SC_COHESION_JKR && !hertz)
     check.fail("E164", "contact.cohesion", "cohesion = 'jkr' takes the place of Hertz's spring",
                "needs normal = 'hertz'", "set contact.normal = 'hertz', or choose cohesion = 'linear'");
-  if (laws.tangential == SC_TANGENTIAL_MINDLIN && !hertz)
+  if (sc_tangential_grows(laws) && !hertz)
     check.fail("E164", "contact.tangential", "tangential = 'mindlin' takes its stiffness from a Hertzian contact",
                "needs normal = 'hertz'", "set contact.normal = 'hertz', or choose tangential = 'history'");
 }

@@ -94,7 +94,7 @@ const Section& flow_section() {
 static_assert(SC_NORMAL_LINEAR == 0 && SC_NORMAL_LINEAR_PLAIN == 1 && SC_NORMAL_HERTZ == 2);
 static_assert(SC_TANGENTIAL_NONE == 0 && SC_TANGENTIAL_SLIDING == 1 && SC_TANGENTIAL_STEP_SPRING == 2);
 static_assert(SC_TANGENTIAL_COLLISION_SPRING == 3 && SC_TANGENTIAL_COLLISION_SPRING_DAMPED == 4);
-static_assert(SC_TANGENTIAL_HISTORY == 5 && SC_TANGENTIAL_MINDLIN == 6);
+static_assert(SC_TANGENTIAL_HISTORY == 5 && SC_TANGENTIAL_MINDLIN == 6 && SC_TANGENTIAL_MINDLIN_STRETCH == 7);
 static_assert(SC_ROLLING_NONE == 0 && SC_ROLLING_SPRING == 1 && SC_TWISTING_NONE == 0 && SC_TWISTING_SPRING == 1);
 static_assert(SC_COHESION_NONE == 0 && SC_COHESION_LINEAR == 1 && SC_COHESION_JKR == 2);
 
@@ -114,9 +114,10 @@ const Section& contact_section() {
            "sliding: Coulomb friction only; step_spring: spring stretched by one time step's sliding; "
            "collision_spring, collision_spring_damped: spring stretched by the velocity times the duration of the "
            "collision, without and with a dashpot; history: spring with memory; mindlin: the same with Mindlin's "
-           "stiffness")
-           .one_of(
-               {"none", "sliding", "step_spring", "collision_spring", "collision_spring_damped", "history", "mindlin"})
+           "stiffness, in increments so that it never gains energy; mindlin_stretch: Mindlin's stiffness times the whole "
+           "stretch, as many codes have it")
+           .one_of({"none", "sliding", "step_spring", "collision_spring", "collision_spring_damped", "history", "mindlin",
+                    "mindlin_stretch"})
            .defaults_to("history; mindlin with normal = 'hertz'"),
        law("rolling", &sc_laws::rolling, "spring: spring, dashpot and slider that resist rolling")
            .one_of({"none", "spring"}),
@@ -134,7 +135,7 @@ const Section& contact_section() {
        key("tangential_damping", &S::tangential_damping, "damping ratio of the tangential spring")
            .between(0, 10)
            .defaults_to("as the normal one")
-           .only_with("tangential", {"collision_spring_damped", "history", "mindlin"}),
+           .only_with("tangential", {"collision_spring_damped", "history", "mindlin", "mindlin_stretch"}),
        key("rolling_stiffness_ratio", &S::rolling_stiffness_ratio, "rolling stiffness over k_t R^2")
            .above(0)
            .only_with("rolling", {"spring"}),

@@ -23,11 +23,12 @@ PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::ve
     const auto* found = std::lower_bound(begin + out.pairs.first[owner], last, partner);
     if (found == last || *found != partner) continue;  // parted in the very step before the list was made
     const std::size_t to = found - begin;
-    out.active[to] = 1;
+    out.active[to] = old.active[c];
     for (int k = 0; k < 3; ++k) out.slide[4 * to + k] = sign * old.slide[4 * c + k];
     out.slide[4 * to + 3] = old.slide[4 * c + 3];
     if (!out.remembers_rolling) continue;
-    for (int k = 0; k < 4; ++k) out.roll[4 * to + k] = sign * old.roll[4 * c + k];
+    for (int k = 0; k < 3; ++k) out.roll[4 * to + k] = sign * old.roll[4 * c + k];
+    out.roll[4 * to + 3] = old.roll[4 * c + 3];
   }
   return out;
 }

@@ -12,11 +12,12 @@
 namespace scree {
 
 /// The candidate pairs with their memory. Directions are those from the owner to the partner; swapping the two changes
-/// every sign and no magnitude, so the bits do not depend on who is stored first.
+/// every sign and no magnitude, so the bits do not depend on who is stored first. The twist about the normal is the same
+/// from either side, since spin and normal both change sign.
 struct PairContacts {
   Candidates pairs;
-  Buffer<std::uint8_t> active;  // the contact acted at the last evaluation
-  Buffer<double> slide;         // [pairs][4]: stretch of the tangential spring x y z, JKR bond
+  Buffer<std::uint8_t> active;  // contact_code() of the last evaluation
+  Buffer<double> slide;         // [pairs][4]: stretch of the tangential spring x y z, approach velocity
   Buffer<double> roll;          // [pairs][4]: stretch of the rolling spring x y z, of the twisting spring; empty if unused
   bool remembers_rolling = false;
 };

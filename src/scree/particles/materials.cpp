@@ -43,12 +43,12 @@ double damping_ratio(int normal_law, double restitution) {
 }
 
 bool uses_moduli(const sc_laws& laws) {
-  return laws.normal == SC_NORMAL_HERTZ || laws.tangential == SC_TANGENTIAL_MINDLIN || laws.cohesion == SC_COHESION_JKR;
+  return laws.normal == SC_NORMAL_HERTZ || sc_tangential_grows(laws) || laws.cohesion == SC_COHESION_JKR;
 }
 
 bool uses_springs(const sc_laws& laws) {
   const bool tangential_spring = laws.tangential != SC_TANGENTIAL_NONE && laws.tangential != SC_TANGENTIAL_SLIDING &&
-                                 laws.tangential != SC_TANGENTIAL_MINDLIN;
+                                 !sc_tangential_grows(laws);
   return laws.normal != SC_NORMAL_HERTZ || tangential_spring;
 }
 

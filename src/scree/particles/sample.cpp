@@ -11,10 +11,13 @@ namespace {
 
 sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
 
-sc_contact_state state_of(const Buffer<double>& slide, const Buffer<double>& roll, std::size_t c) {
+sc_contact_state state_of(const Buffer<std::uint8_t>& active, const Buffer<double>& slide, const Buffer<double>& roll,
+                          std::size_t c) {
   sc_contact_state s{};
   s.slide = vec_of(&slide[4 * c]);
-  s.bonded = slide[4 * c + 3];
+  s.approach = slide[4 * c + 3];
+  s.acted = active[c] & 1;
+  s.slid = active[c] >> 1;
   if (!roll.empty()) {
     s.roll = vec_of(&roll[4 * c]);
     s.twist = roll[4 * c + 3];
@@ -75,7 +78,7 @@ StoredEnergy stored_energy(const ParticleSystem& s) {
     if (!s.contacts.active[c]) continue;
     const sc_pair_law& law = s.materials.pair(p.material[pairs.owner[c]], p.material[pairs.partner[c]]);
     part[omp_get_thread_num()].add(
-        sc_contact_energy_of(s.laws, law, touch_of_pair(s, c), state_of(s.contacts.slide, s.contacts.roll, c)));
+        sc_contact_energy_of(s.laws, law, touch_of_pair(s, c), state_of(s.contacts.active, s.contacts.slide, s.contacts.roll, c)));
   }
   const WallContacts& walls = s.wall_contacts;
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -83,7 +86,7 @@ StoredEnergy stored_energy(const ParticleSystem& s) {
       if (!walls.active[w]) continue;
       const sc_pair_law& law = s.materials.pair(p.material[i], s.walls.faces[walls.wall[w]].material);
       part[0].add(sc_contact_energy_of(s.laws, law, touch_of_wall(s, i, walls.wall[w]),
-                                       state_of(walls.slide, walls.roll, w)));
+                                       state_of(walls.active, walls.slide, walls.roll, w)));
     }
   StoredSums all;
   for (const StoredSums& one : part) {

@@ -18,7 +18,8 @@ struct alignas(64) Batch {
   double bx[batch_room], by[batch_room], bz[batch_room], rr[batch_room];
   double ux[batch_room], uy[batch_room], uz[batch_room], im[batch_room];
   double sx[batch_room], sy[batch_room], sz[batch_room], ir[batch_room];
-  double qx[batch_room], qy[batch_room], qz[batch_room], bond[batch_room];  // slide
+  double qx[batch_room], qy[batch_room], qz[batch_room], qv[batch_room];  // slide, approach
+  double acted[batch_room], slid[batch_room];
   double wx[batch_room], wy[batch_room], wz[batch_room];                    // spin difference, rolling laws only
   double px[batch_room], py[batch_room], pz[batch_room], twist[batch_room]; // roll
   double excess[batch_room];
@@ -31,9 +32,6 @@ struct alignas(64) Batch {
 };
 
 /// Which inputs and results a choice of laws needs; what it does not need is neither loaded nor stored.
-constexpr bool law_remembers(sc_laws l) {
-  return l.tangential == SC_TANGENTIAL_HISTORY || l.tangential == SC_TANGENTIAL_MINDLIN || l.cohesion == SC_COHESION_JKR;
-}
 constexpr bool law_rolls(sc_laws l) { return l.rolling != SC_ROLLING_NONE || l.twisting != SC_TWISTING_NONE; }
 constexpr bool law_reaches(sc_laws l) { return l.cohesion != SC_COHESION_NONE; }
 
@@ -41,7 +39,7 @@ constexpr bool law_reaches(sc_laws l) { return l.cohesion != SC_COHESION_NONE; }
 template <bool OneMaterial>
 [[gnu::always_inline]] inline void act_on(Batch& b, int i, const sc_laws laws, const sc_pair_law* table,
                                           const sc_contact_time time) {
-  const bool remembers = law_remembers(laws), rolls = law_rolls(laws), reaches = law_reaches(laws);
+  const bool rolls = law_rolls(laws), reaches = law_reaches(laws);
   sc_sphere_pair p;
   p.branch = sc_make_vec(b.bx[i], b.by[i], b.bz[i]);
   p.radii = b.rr[i];
@@ -53,8 +51,10 @@ template <bool OneMaterial>
   p.spin = rolls ? sc_make_vec(b.wx[i], b.wy[i], b.wz[i]) : sc_zero_vec();
   const sc_sphere_touch t = sc_touch_spheres(p);
   sc_contact_state s;
-  s.slide = remembers ? sc_make_vec(b.qx[i], b.qy[i], b.qz[i]) : sc_zero_vec();
-  s.bonded = remembers ? b.bond[i] : R(0);
+  s.slide = sc_make_vec(b.qx[i], b.qy[i], b.qz[i]);
+  s.approach = b.qv[i];
+  s.acted = b.acted[i];
+  s.slid = b.slid[i];
   s.roll = rolls ? sc_make_vec(b.px[i], b.py[i], b.pz[i]) : sc_zero_vec();
   s.twist = rolls ? b.twist[i] : R(0);
   const sc_contact_result r = sc_contact_act(laws, OneMaterial ? table[0] : table[b.pair_law[i]], t.touch, time, s);
@@ -73,12 +73,11 @@ template <bool OneMaterial>
   b.approach[i] = sc_dot(t.touch.velocity, t.touch.normal);
   // What does not touch is forgotten.
   const bool keep = r.action.touching != 0;
-  if (remembers) {
-    b.qx[i] = keep ? r.state.slide.x : R(0);
-    b.qy[i] = keep ? r.state.slide.y : R(0);
-    b.qz[i] = keep ? r.state.slide.z : R(0);
-    b.bond[i] = keep ? r.state.bonded : R(0);
-  }
+  b.qx[i] = keep ? r.state.slide.x : R(0);
+  b.qy[i] = keep ? r.state.slide.y : R(0);
+  b.qz[i] = keep ? r.state.slide.z : R(0);
+  b.qv[i] = keep ? r.state.approach : R(0);
+  b.slid[i] = r.state.slid;
   if (rolls) {
     b.cx[i] = r.action.couple.x;
     b.cy[i] = r.action.couple.y;

@@ -51,7 +51,9 @@ template <class Laws>
   if (t.touch.overlap + v.margin <= 0 && !v.walls.active[w]) return;
   sc_contact_state state;
   state.slide = vec_of(slide);
-  state.bonded = slide[3];
+  state.approach = slide[3];
+  state.acted = v.walls.active[w] & 1;
+  state.slid = v.walls.active[w] >> 1;
   state.roll = vec_of(roll);
   state.twist = roll[3];
   const sc_contact_result r =
@@ -62,9 +64,9 @@ template <class Laws>
   g.turn += lane4{turn.x, turn.y, turn.z, r.action.loss_sliding};
   g.couple += lane4{r.action.couple.x, r.action.couple.y, r.action.couple.z, r.action.loss_rolling};
   const double keep = r.action.touching ? 1 : 0;
-  store4(slide, keep * lane4{r.state.slide.x, r.state.slide.y, r.state.slide.z, r.state.bonded});
+  store4(slide, keep * lane4{r.state.slide.x, r.state.slide.y, r.state.slide.z, r.state.approach});
   store4(roll, keep * lane4{r.state.roll.x, r.state.roll.y, r.state.roll.z, r.state.twist});
-  v.walls.active[w] = r.action.touching != 0;
+  v.walls.active[w] = contact_code(r.action.touching != 0, r.state.slid > 0);
   findings.contacts += r.action.touching != 0;
   findings.deepest = SC_MAX(findings.deepest, R(0.5) * t.touch.overlap / t.touch.radius);
 }

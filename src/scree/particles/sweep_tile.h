@@ -46,7 +46,7 @@ struct AnyLaws {
       b.which[near] = c + l;
       b.apart[apart] = c + l;
       // A contact that acted is looked at once more when it has parted: the break of a bond costs energy.
-      const int act_now = static_cast<int>(acts[l] & 1) | v.active[c + l];
+      const int act_now = static_cast<int>((acts[l] | v.active[c + l]) & 1);
       near += act_now;
       apart += 1 - act_now;
     }
@@ -76,7 +76,7 @@ struct AnyLaws {
 /// Brings the states of the contacts in `which` side by side. Rounds `near` up to whole vectors with copies of the first.
 [[gnu::always_inline]] inline void load(const SweepView& v, const sc_laws laws, Batch& b, int near) {
   for (int k = near; k % 8; ++k) b.which[k] = b.which[0];
-  const bool remembers = law_remembers(laws), rolls = law_rolls(laws), reaches = law_reaches(laws);
+  const bool rolls = law_rolls(laws), reaches = law_reaches(laws);
   for (int k = 0; k < near; k += 8) {
     lane4 branch[8], velocity[8], rim[8];
     for (int l = 0; l < 8; ++l) {
@@ -90,13 +90,13 @@ struct AnyLaws {
     put(b.bx, b.by, b.bz, b.rr, k, columns_of(branch));
     put(b.ux, b.uy, b.uz, b.im, k, columns_of(velocity));
     put(b.sx, b.sy, b.sz, b.ir, k, columns_of(rim));
-    if (remembers) {
-      lane4 slide[8];
-      for (int l = 0; l < 8; ++l) slide[l] = load4(v.slide + std::int64_t{4} * b.which[k + l]);
-      put(b.qx, b.qy, b.qz, b.bond, k, columns_of(slide));
-    }
+    lane4 slide[8];
+    for (int l = 0; l < 8; ++l) slide[l] = load4(v.slide + std::int64_t{4} * b.which[k + l]);
+    put(b.qx, b.qy, b.qz, b.qv, k, columns_of(slide));
     for (int l = 0; l < 8; ++l) {
       const std::int64_t c = b.which[k + l], i = v.owner[c], j = v.partner[c];
+      b.acted[k + l] = v.active[c] & 1;
+      b.slid[k + l] = v.active[c] >> 1;
       b.pair_law[k + l] = v.materials > 1 ? v.material[i] * v.materials + v.material[j] : 0;
       if (reaches) b.excess[k + l] = v.effect_excess[i] + v.effect_excess[j];
       if (!rolls) continue;
@@ -119,25 +119,25 @@ struct AnyLaws {
 /// Writes forces into slots and memory back to the pairs.
 [[gnu::always_inline]] inline void store(const SweepView& v, const sc_laws laws, const Batch& b, int near,
                                          SweepFindings& findings) {
-  const bool remembers = law_remembers(laws), rolls = law_rolls(laws);
+  const bool rolls = law_rolls(laws);
   for (int k = 0; k < near; k += 8) {
     double force[8][4], turn[8][4], slide[8][4];
     rows_of(take(b.fx, b.fy, b.fz, b.loss_normal, k), force);
     rows_of(take(b.gx, b.gy, b.gz, b.loss_sliding, k), turn);
-    if (remembers) rows_of(take(b.qx, b.qy, b.qz, b.bond, k), slide);
+    rows_of(take(b.qx, b.qy, b.qz, b.qv, k), slide);
     const int count = near - k < 8 ? near - k : 8;
     for (int l = 0; l < count; ++l) {
       const std::int64_t c = b.which[k + l], s = v.slot[c];
       store4(v.slots + 8 * s, load4(force[l]));
       store4(v.slots + 8 * s + 4, load4(turn[l]));
-      if (remembers) store4(v.slide + 4 * c, load4(slide[l]));
+      store4(v.slide + 4 * c, load4(slide[l]));
       const bool touching = b.touching[k + l] != 0;
       findings.contacts += touching;
       if (touching && !v.active[c]) {
         ++findings.impacts;
         findings.impact_speed += static_cast<std::int64_t>(b.approach[k + l] / speed_quantum);
       }
-      v.active[c] = touching;
+      v.active[c] = contact_code(touching, b.slid[k + l] != 0);
       if (!rolls) continue;
       store4(v.couples + 4 * s, lane4{b.cx[k + l], b.cy[k + l], b.cz[k + l], b.loss_rolling[k + l]});
       store4(v.roll + 4 * c, lane4{b.px[k + l], b.py[k + l], b.pz[k + l], b.twist[k + l]});

@@ -15,14 +15,19 @@ namespace scree {
 /// Largest number of candidates in a tile, unless one particle alone owns more.
 inline constexpr std::int32_t tile_size = 128;
 
+/// What the list of contacts says of one in a byte: bit 0, it acted at the last evaluation; bit 1, it slid then.
+constexpr std::uint8_t contact_code(bool acted, bool slid) {
+  return static_cast<std::uint8_t>(acted ? 1 + 2 * static_cast<int>(slid) : 0);
+}
+
 /// Contacts with walls: those of particle p are first[p] ... first[p + 1] - 1, in the order of walls. They are evaluated
 /// one by one and added after the contacts with particles.
 struct WallView {
   const std::int32_t* first;
   const std::int32_t* wall;
-  std::uint8_t* active;
-  double* slide;  // [contacts][4]: stretch x y z, JKR bond
-  double* roll;   // [contacts][4]: roll x y z, twist
+  std::uint8_t* active;  // contact_code()
+  double* slide;         // [contacts][4]: stretch x y z, approach
+  double* roll;          // [contacts][4]: roll x y z, twist
   const sc_wall* shape;
 };
 
@@ -41,9 +46,9 @@ struct SweepView {
   const std::int32_t* first;
   const std::int32_t* owner;
   const std::int32_t* partner;
-  std::uint8_t* active;
-  double* slide;  // [pairs][4]
-  double* roll;   // [pairs][4] or null
+  std::uint8_t* active;  // contact_code()
+  double* slide;         // [pairs][4]: stretch x y z, approach
+  double* roll;          // [pairs][4] or null: roll x y z, twist
   WallView walls;
   // plan
   const std::int32_t* slot;

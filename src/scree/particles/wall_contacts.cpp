@@ -54,7 +54,7 @@ void carry_over(WallContacts& fresh, const WallContacts& old, const std::vector<
       const auto* found = std::lower_bound(std::as_const(fresh.wall).begin() + fresh.first[q], last, old.wall[from]);
       if (found == last || *found != old.wall[from]) continue;  // parted in the step before
       const std::size_t to = found - fresh.wall.begin();
-      fresh.active[to] = 1;
+      fresh.active[to] = old.active[from];
       std::copy_n(&old.slide[4 * std::size_t(from)], 4, &fresh.slide[4 * to]);
       std::copy_n(&old.roll[4 * std::size_t(from)], 4, &fresh.roll[4 * to]);
     }

@@ -14,8 +14,8 @@ namespace scree {
 struct WallContacts {
   Buffer<std::int32_t> first;   // [particles + 1]
   Buffer<std::int32_t> wall;    // index into Walls::faces
-  Buffer<std::uint8_t> active;  // the contact acted at the last evaluation
-  Buffer<double> slide;         // [contacts][4]: stretch of the tangential spring x y z [m], JKR bond
+  Buffer<std::uint8_t> active;  // contact_code() of the last evaluation
+  Buffer<double> slide;         // [contacts][4]: stretch of the tangential spring x y z [m], approach [m/s]
   Buffer<double> roll;          // [contacts][4]: stretch of the rolling spring x y z, of the twisting spring [rad]
 };
 

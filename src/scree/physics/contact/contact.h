@@ -18,7 +18,8 @@ enum {
   SC_TANGENTIAL_COLLISION_SPRING = 3,         // spring stretched by v_t times the collision time (report, figure 3.5)
   SC_TANGENTIAL_COLLISION_SPRING_DAMPED = 4,  // the same with a dashpot (report, 3.2.3; thesis 3.43 to 3.47)
   SC_TANGENTIAL_HISTORY = 5,                  // spring with memory, linear
-  SC_TANGENTIAL_MINDLIN = 6                   // spring with memory, stiffness of Mindlin
+  SC_TANGENTIAL_MINDLIN = 6,                  // spring with memory, stiffness of Mindlin, never gaining energy
+  SC_TANGENTIAL_MINDLIN_STRETCH = 7           // the same stiffness times the whole stretch, as most codes have it
 };
 enum { SC_ROLLING_NONE = 0, SC_ROLLING_SPRING = 1 };
 enum { SC_TWISTING_NONE = 0, SC_TWISTING_SPRING = 1 };
@@ -28,6 +29,17 @@ enum { SC_COHESION_NONE = 0, SC_COHESION_LINEAR = 1, SC_COHESION_JKR = 2 };
 typedef struct {
   int normal, tangential, rolling, twisting, cohesion;
 } sc_laws;
+
+/// Laws whose tangential spring has a memory.
+SC_FN int sc_tangential_remembers(sc_laws laws) {
+  return laws.tangential == SC_TANGENTIAL_HISTORY || laws.tangential == SC_TANGENTIAL_MINDLIN ||
+         laws.tangential == SC_TANGENTIAL_MINDLIN_STRETCH;
+}
+
+/// Laws whose tangential stiffness follows the contact area.
+SC_FN int sc_tangential_grows(sc_laws laws) {
+  return laws.tangential == SC_TANGENTIAL_MINDLIN || laws.tangential == SC_TANGENTIAL_MINDLIN_STRETCH;
+}
 
 /// The constants of a pair of materials, derived once from the materials.
 typedef struct {
@@ -62,10 +74,12 @@ typedef struct {
 
 /// What a contact remembers between steps; it travels and is saved with the pair.
 typedef struct {
-  sc_vec slide;  // stretch of the tangential spring xi [m]
-  sc_vec roll;   // stretch of the rolling spring [rad]
-  real twist;    // stretch of the twisting spring [rad]
-  real bonded;   // JKR: 1 from the first touch until the neck breaks, else 0; 2 more while the tangential spring slides
+  sc_vec slide;   // stretch of the tangential spring xi [m]
+  sc_vec roll;    // stretch of the rolling spring [rad]
+  real twist;     // stretch of the twisting spring [rad]
+  real approach;  // normal velocity at the last evaluation [m/s]
+  real acted;     // 1 if the contact acted at the last evaluation (JKR: the neck holds), else 0
+  real slid;      // 1 if its tangential spring slid then, else 0
 } sc_contact_state;
 
 /// When the force is taken. Velocities belong to the time `lead` before the positions (half a step in the leapfrog, 0

@@ -40,35 +40,33 @@ SC_FN sc_normal sc_contact_normal(sc_laws laws, sc_pair_law p, sc_touch t, int b
   return sc_normal_linear(p, t);
 }
 
-/// Velocity at the present positions, from that at the time `lead` before them: the force net - damping * velocity acts
-/// in between.
-SC_FN real sc_synchronised_speed(real mass, real speed, real net, real damping, real lead) {
-  return (mass * speed + net * lead) * (R(1) / (mass + damping * lead));
+/// Normal velocity at the present positions, carried on from the two before them. It knows what all contacts of the
+/// bodies do to it, so a dashpot is silent in a bed at rest; prediction from the contact's own force would not be.
+SC_FN real sc_synchronised_approach(sc_contact_memory m, sc_contact_state s, sc_contact_time time) {
+  const int goes_on = s.acted > R(0) && !m.begins;
+  const real ahead = time.dt > R(0) ? time.lead / time.dt : R(0);
+  return m.approach + (goes_on ? ahead * (m.approach - s.approach) : R(0));
 }
 
 /// Force of spring, dashpot and adhesion. But in the plain law, spring and dashpot together do not pull.
 ///
 /// The dashpot of the plain law still pulls when the bodies part. Its last kick ends there, at a time that the velocity
 /// after it tells.
-SC_FN sc_normal_action sc_press(sc_laws laws, sc_normal n, sc_touch t, sc_contact_memory m, sc_contact_time time) {
+SC_FN sc_normal_action sc_press(sc_laws laws, sc_normal n, sc_touch t, sc_contact_memory m, real speed,
+                                sc_contact_time time) {
   sc_normal_action out;
   const real jump = laws.cohesion == SC_COHESION_JKR ? m.weight : R(1);
   const real spring = jump * n.spring;
   real damping = m.weight * n.damping;
   out.attraction = jump * n.attraction;
-  const real net = out.attraction - spring;
-  real speed = sc_synchronised_speed(t.mass, m.approach, net, damping, time.lead);
   if (laws.normal == SC_NORMAL_LINEAR_PLAIN) {
-    const real after = m.approach + (net - damping * speed) * time.kick / t.mass;
+    const real after = m.approach + (out.attraction - spring - damping * speed) * time.kick / t.mass;
     const real share = (time.lead - t.overlap / after) * (R(1) / time.kick);
     damping = (after < R(0) ? share : R(2)) < R(1.5) ? share * n.damping : damping;
-    speed = sc_synchronised_speed(t.mass, m.approach, net, damping, time.lead);
   }
   const real force = spring + damping * speed;
-  const int pulls = laws.normal != SC_NORMAL_LINEAR_PLAIN && force < R(0);
-  const real free = laws.cohesion == SC_COHESION_NONE ? m.approach : m.approach + out.attraction * time.lead / t.mass;
-  out.repulsion = pulls ? R(0) : force;
-  out.loss = (out.repulsion - spring) * (pulls ? free : speed) * time.kick;
+  out.repulsion = laws.normal != SC_NORMAL_LINEAR_PLAIN && force < R(0) ? R(0) : force;
+  out.loss = (out.repulsion - spring) * speed * time.kick;
   return out;
 }
 
@@ -81,21 +79,22 @@ SC_FN sc_friction_action sc_rub(sc_laws laws, sc_pair_law p, sc_touch t, sc_grip
   return sc_tangential_collision_spring(f, p, t.mass, g.normal_stiffness, damped, time);
 }
 
-/// Adds the tangential force. While a contact slides, `bonded` of its state is greater by 2.
+/// Adds the tangential force.
 SC_FN sc_contact_result sc_resist_sliding(sc_laws laws, sc_pair_law p, sc_touch t, sc_contact_time time, sc_grip g,
                                           sc_contact_result out) {
-  const int slid = out.state.bonded >= R(2);
+  const int slid = out.state.slid > R(0);
   const real sliding = p.friction_sliding * g.load;
   const real sticking = slid ? sliding : p.friction_static * g.load;
-  if (laws.tangential == SC_TANGENTIAL_HISTORY || laws.tangential == SC_TANGENTIAL_MINDLIN) {
-    sc_spring spring = sc_tangential_history(laws.tangential == SC_TANGENTIAL_MINDLIN, p, t, g.area_radius, g.memory);
+  if (sc_tangential_remembers(laws)) {
+    sc_spring spring = sc_tangential_history(sc_tangential_grows(laws), p, t, g.area_radius, g.memory);
+    spring.passive = laws.tangential != SC_TANGENTIAL_MINDLIN_STRETCH;
     spring.sticking = sticking;
     spring.sliding = sliding;
     const sc_spring_action slide = sc_pull_spring(spring, time);
     out.action.tangential_force = slide.force;
     out.action.loss_sliding = slide.loss;
     out.state.slide = slide.stretch;
-    out.state.bonded += (slide.slides ? R(2) : R(0)) - (slid ? R(2) : R(0));
+    out.state.slid = slide.slides ? R(1) : R(0);
   } else if (laws.tangential != SC_TANGENTIAL_NONE) {
     sc_friction f;
     f.velocity = sc_add_scaled(t.velocity, -g.memory.approach, t.normal);
@@ -117,7 +116,7 @@ SC_FN sc_contact_result sc_resist_turning(sc_laws laws, sc_pair_law p, sc_touch 
   law.load = g.load;
   if (laws.rolling == SC_ROLLING_SPRING) {
     law.stiffness = p.rolling_stiffness * g.stiffness;
-    law.damping = p.rolling_damping * g.memory.weight;
+    law.damping = p.rolling_damping;
     law.friction = p.rolling_friction;
     const sc_vec start = sc_turn_stretch(out.state.roll, t.normal);
     const sc_vec rolling = sc_sub(t.spin, twisting);
@@ -128,7 +127,7 @@ SC_FN sc_contact_result sc_resist_turning(sc_laws laws, sc_pair_law p, sc_touch 
   }
   if (laws.twisting == SC_TWISTING_SPRING) {
     law.stiffness = p.twisting_stiffness * g.stiffness;
-    law.damping = p.twisting_damping * g.memory.weight;
+    law.damping = p.twisting_damping;
     law.friction = p.twisting_friction;
     const sc_vec start = sc_scale(out.state.twist, t.normal);
     const sc_spring_action a = sc_pull_spring(sc_turning_spring(law, t, start, twisting, g.memory), time);
@@ -147,17 +146,16 @@ SC_FN sc_contact_result sc_contact_act(sc_laws laws, sc_pair_law p, sc_touch t, 
                                        sc_contact_state s) {
   sc_contact_result out;
   const int jkr = laws.cohesion == SC_COHESION_JKR;
-  const int mindlin = laws.tangential == SC_TANGENTIAL_MINDLIN;
-  const int slid = s.bonded >= R(2);
-  const int bonded = jkr ? (slid ? s.bonded - R(2) : s.bonded) > R(0) : 0;
+  const int grows = sc_tangential_grows(laws);
+  const int bonded = jkr ? s.acted > R(0) : 0;
   sc_normal n = sc_contact_normal(laws, p, t, bonded);
   if (laws.cohesion == SC_COHESION_LINEAR) n.attraction = sc_cohesion_linear(p, t);
   sc_grip g;
-  g.memory = sc_remember(t, time, s, mindlin, n.depth, bonded);
-  sc_normal_action push = sc_press(laws, n, t, g.memory, time);
+  g.memory = sc_remember(t, time, s, grows, n.depth, bonded);
+  sc_normal_action push = sc_press(laws, n, t, g.memory, sc_synchronised_approach(g.memory, s, time), time);
   g.area_radius = n.area_radius;
   g.normal_stiffness = n.stiffness;
-  g.stiffness = sc_tangential_stiffness(mindlin, p, n.area_radius);
+  g.stiffness = sc_tangential_stiffness(grows, p, n.area_radius);
   g.load = SC_FABS(push.repulsion);
   if (jkr) {
     const sc_jkr c = sc_jkr_scales(p, t.radius);
@@ -171,7 +169,8 @@ SC_FN sc_contact_result sc_contact_act(sc_laws laws, sc_pair_law p, sc_touch t, 
   out.action.loss_rolling = R(0);
   out.action.touching = laws.cohesion == SC_COHESION_LINEAR ? t.reach > R(0) : n.joined;
   out.state = s;
-  out.state.bonded = (jkr ? (n.joined ? R(1) : R(0)) : R(0)) + (slid ? R(2) : R(0));
+  out.state.approach = g.memory.approach;
+  out.state.acted = out.action.touching ? R(1) : R(0);
   out = sc_resist_sliding(laws, p, t, time, g, out);
   return sc_resist_turning(laws, p, t, time, g, out);
 }
@@ -179,14 +178,13 @@ SC_FN sc_contact_result sc_contact_act(sc_laws laws, sc_pair_law p, sc_touch t, 
 /// The energy stored in a contact at the present positions; `s` as the last evaluation left it.
 SC_FN sc_contact_energy sc_contact_energy_of(sc_laws laws, sc_pair_law p, sc_touch t, sc_contact_state s) {
   sc_contact_energy out;
-  const real bond = s.bonded >= R(2) ? s.bonded - R(2) : s.bonded;
-  const sc_normal n = sc_contact_normal(laws, p, t, bond > R(0));
-  const real stiffness = sc_tangential_stiffness(laws.tangential == SC_TANGENTIAL_MINDLIN, p, n.area_radius);
+  const sc_normal n = sc_contact_normal(laws, p, t, s.acted > R(0));
+  const real stiffness = sc_tangential_stiffness(sc_tangential_grows(laws), p, n.area_radius);
   const real square = stiffness * t.radius * t.radius;
   out.elastic = n.elastic;
   out.cohesive = n.cohesive;
   if (laws.cohesion == SC_COHESION_LINEAR) out.cohesive = sc_cohesion_linear_energy(p, t);
-  if (laws.tangential == SC_TANGENTIAL_HISTORY || laws.tangential == SC_TANGENTIAL_MINDLIN) {
+  if (sc_tangential_remembers(laws)) {
     out.elastic += R(0.5) * stiffness * sc_dot(s.slide, s.slide);
   }
   if (laws.rolling == SC_ROLLING_SPRING) {

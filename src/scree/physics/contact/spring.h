@@ -12,7 +12,9 @@ typedef struct {
   sc_vec velocity;  // at the time `lead` before the positions
   real span;        // time in contact since the last evaluation [s]
   real stiffness;
-  real damping;   // coefficient of the dashpot
+  real damping;   // coefficient of the dashpot, as its force counts in this kick
+  real drained;   // the coefficient itself times the span: what the dashpot takes, over the velocity squared
+  int passive;    // a changing stiffness must not gain energy
   real mass;      // which the element accelerates
   real sticking;  // the largest force that it holds
   real sliding;   // the force at which it slides
@@ -36,11 +38,12 @@ typedef struct {
 ///
 /// The spring's part of the loss is (force before + force after)/2 times the motion, less the gain of stored energy;
 /// summed over a contact it is exactly what the kicks of the leapfrog take out. A spring that passes zero within a step
-/// could seem to gain a little: that counts as nothing.
+/// could seem to gain a little: that counts as nothing. The dashpot's part goes with the velocity in the middle between
+/// the two evaluations, which is known whatever else acts on the bodies.
 SC_FN sc_spring_action sc_pull_spring(sc_spring s, sc_contact_time time) {
   sc_spring_action out;
   const sc_vec motion = sc_scale(s.span, s.velocity);
-  const real loading = SC_MIN(s.hold, R(1));
+  const real loading = s.passive ? SC_MIN(s.hold, R(1)) : R(1);
   const sc_vec trial = sc_add_scaled(sc_scale(loading, s.stretch), R(0.5) * (R(1) + loading), motion);
   const real damped = s.mass + s.damping * time.lead;
   const real inverse = R(1) / (s.mass * damped);
@@ -52,12 +55,11 @@ SC_FN sc_spring_action sc_pull_spring(sc_spring s, sc_contact_time time) {
   const real share = out.slides ? s.sliding / size : R(1);
   out.force = sc_scale(-share, pull);
   out.stretch = sc_scale(s.sticking > R(0) ? share : R(0), trial);  // what cannot hold does not stretch
-  const sc_vec actual = sc_add_scaled(s.velocity, time.lead * damped * inverse, out.force);
   const sc_vec forces = sc_add_scaled(out.stretch, s.hold, s.stretch);  // before and after, over the stiffness
   const real gain = sc_dot(out.stretch, out.stretch) - s.hold * sc_dot(s.stretch, s.stretch);
   const real spring_loss = R(0.5) * s.stiffness * (sc_dot(forces, motion) - gain);
-  const real dashpot_loss = share * s.damping * sc_dot(synchronised, actual) * time.kick;
-  out.loss = SC_MAX(spring_loss + dashpot_loss, R(0));
+  const real loss = spring_loss + share * s.drained * sc_dot(s.velocity, s.velocity);
+  out.loss = s.passive ? SC_MAX(loss, R(0)) : loss;
   return out;
 }
 

@@ -30,7 +30,10 @@ SC_FN sc_spring sc_turning_spring(sc_turning law, sc_touch t, sc_vec stretch, sc
   const real square = t.radius * t.radius;
   out.mass = R(0.4) * t.mass * square;
   out.stiffness = law.stiffness * square;
-  out.damping = R(2) * law.damping * SC_SQRT(out.stiffness * out.mass);
+  const real damping = R(2) * law.damping * SC_SQRT(out.stiffness * out.mass);
+  out.damping = m.weight * damping;
+  out.drained = m.span * damping;
+  out.passive = 1;
   out.sticking = law.friction * t.radius * law.load;
   out.sliding = out.sticking;
   out.stretch = stretch;
