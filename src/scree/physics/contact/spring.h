@@ -39,7 +39,8 @@ typedef struct {
 /// The spring's part of the loss is (force before + force after)/2 times the motion, less the gain of stored energy;
 /// summed over a contact it is exactly what the kicks of the leapfrog take out. A spring that passes zero within a step
 /// could seem to gain a little: that counts as nothing. The dashpot's part goes with the velocity in the middle between
-/// the two evaluations, which is known whatever else acts on the bodies.
+/// the two evaluations, which is known whatever else acts on the bodies; once the spring slides, with the dashpot's own
+/// share of the limited force.
 SC_FN sc_spring_action sc_pull_spring(sc_spring s, sc_contact_time time) {
   sc_spring_action out;
   const sc_vec motion = sc_scale(s.span, s.velocity);
@@ -58,7 +59,8 @@ SC_FN sc_spring_action sc_pull_spring(sc_spring s, sc_contact_time time) {
   const sc_vec forces = sc_add_scaled(out.stretch, s.hold, s.stretch);  // before and after, over the stiffness
   const real gain = sc_dot(out.stretch, out.stretch) - s.hold * sc_dot(s.stretch, s.stretch);
   const real spring_loss = R(0.5) * s.stiffness * (sc_dot(forces, motion) - gain);
-  const real loss = spring_loss + share * s.drained * sc_dot(s.velocity, s.velocity);
+  const sc_vec middle = out.slides ? synchronised : s.velocity;
+  const real loss = spring_loss + share * s.drained * sc_dot(middle, s.velocity);
   out.loss = s.passive ? SC_MAX(loss, R(0)) : loss;
   return out;
 }
