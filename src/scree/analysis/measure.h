@@ -15,8 +15,8 @@ struct Speeds {
   double largest = 0, mean = 0;  // [m/s]
 };
 
-/// Energies, momenta and exchanges since the start; exact sums, so they do not depend on threads. `time` is the time since
-/// the start of the run [s].
+/// Energies, momenta and exchanges since the start; exact sums, so they do not depend on threads. `time` is the time
+/// since the start of the run [s].
 Measured measure(const Sample& sample, const Fields& fields, double time);
 
 Speeds measure_speeds(const Sample& sample);

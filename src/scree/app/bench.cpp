@@ -32,12 +32,12 @@ struct Figures {
   std::string scene;
   int threads = 0;
   std::size_t particles = 0;
-  double rate = 0;                // particle-steps per second, the median of the rounds
+  double rate = 0;  // particle-steps per second, the median of the rounds
   double slowest = 0, fastest = 0;
-  double contacts = 0;            // per particle
-  double candidates = 0;          // per particle
-  double bytes = 0;               // that one particle-step moves, counted from the layout
-  double bandwidth = 0;           // of the machine with these threads [bytes/s]
+  double contacts = 0;    // per particle
+  double candidates = 0;  // per particle
+  double bytes = 0;       // that one particle-step moves, counted from the layout
+  double bandwidth = 0;   // of the machine with these threads [bytes/s]
   StageSeconds stages;
 };
 
@@ -99,10 +99,11 @@ void print(const Figures& f) {
   for (const auto& [stage, seconds] : f.stages) total += seconds;
   std::string stages;
   for (const auto& [stage, seconds] : f.stages) stages += fmt::format(", {} {:.0f} %", stage, 100 * seconds / total);
-  fmt::print("{:<8} {:>2} thread{} {:>8.3g} particle-steps/s ({:.3g} to {:.3g}); {:.2f} contacts and {:.2f} candidates per "
-             "particle; {:.0f} bytes per particle-step = {:.0f} % of the {:.1f} GB/s that copying reaches{}\n",
-             f.scene, f.threads, f.threads == 1 ? ": " : "s:", f.rate, f.slowest, f.fastest, f.contacts, f.candidates,
-             f.bytes, 100 * f.rate * f.bytes / f.bandwidth, f.bandwidth * 1e-9, stages);
+  fmt::print(
+      "{:<8} {:>2} thread{} {:>8.3g} particle-steps/s ({:.3g} to {:.3g}); {:.2f} contacts and {:.2f} candidates per "
+      "particle; {:.0f} bytes per particle-step = {:.0f} % of the {:.1f} GB/s that copying reaches{}\n",
+      f.scene, f.threads, f.threads == 1 ? ": " : "s:", f.rate, f.slowest, f.fastest, f.contacts, f.candidates, f.bytes,
+      100 * f.rate * f.bytes / f.bandwidth, f.bandwidth * 1e-9, stages);
 }
 
 nlohmann::json as_json(const Figures& f) {
@@ -146,7 +147,8 @@ int bench(const BenchOptions& options) {
     }
   }
   if (!options.json.empty())
-    write_text_file(options.json, nlohmann::json{{"version", version}, {"commit", commit}, {"figures", figures}}.dump(2));
+    write_text_file(options.json,
+                    nlohmann::json{{"version", version}, {"commit", commit}, {"figures", figures}}.dump(2));
   return 0;
 }
 

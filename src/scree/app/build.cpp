@@ -64,8 +64,8 @@ ParticleSystem build_system(const Case& c, Fields& fields) {
   s.laws = c.contact.laws;
   s.materials = build_materials(c);
   s.walls = build_walls(c);
-  s.particles = build_particles(c, s.domain, s.walls,
-                                [&](const Vec3& x) { return flow_velocity(fields, x.data(), 0.0); });
+  s.particles =
+      build_particles(c, s.domain, s.walls, [&](const Vec3& x) { return flow_velocity(fields, x.data(), 0.0); });
   s.contacts.remembers_rolling = s.laws.rolling != SC_ROLLING_NONE || s.laws.twisting != SC_TWISTING_NONE;
   return s;
 }

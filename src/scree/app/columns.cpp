@@ -29,13 +29,33 @@ double mean_impact_speed(std::int64_t count, std::int64_t sum) {
 }
 
 std::vector<std::string> series_columns(bool agglomerates) {
-  std::vector<std::string> names = {"time", "step", "kinetic_energy", "rotational_energy", "elastic_energy",
-                                    "cohesive_energy", "gravitational_energy", "dissipated_normal",
-                                    "dissipated_sliding", "dissipated_rolling", "work_drag", "work_prescribed",
-                                    "energy_error", "momentum_x", "momentum_y", "momentum_z", "momentum_error",
-                                    "angular_momentum_x", "angular_momentum_y", "angular_momentum_z",
-                                    "angular_momentum_error", "contacts", "max_overlap", "max_speed", "mean_speed",
-                                    "collision_speed", "stickiness"};
+  std::vector<std::string> names = {"time",
+                                    "step",
+                                    "kinetic_energy",
+                                    "rotational_energy",
+                                    "elastic_energy",
+                                    "cohesive_energy",
+                                    "gravitational_energy",
+                                    "dissipated_normal",
+                                    "dissipated_sliding",
+                                    "dissipated_rolling",
+                                    "work_drag",
+                                    "work_prescribed",
+                                    "energy_error",
+                                    "momentum_x",
+                                    "momentum_y",
+                                    "momentum_z",
+                                    "momentum_error",
+                                    "angular_momentum_x",
+                                    "angular_momentum_y",
+                                    "angular_momentum_z",
+                                    "angular_momentum_error",
+                                    "contacts",
+                                    "max_overlap",
+                                    "max_speed",
+                                    "mean_speed",
+                                    "collision_speed",
+                                    "stickiness"};
   if (agglomerates)
     names.insert(names.end(), {"agglomerates", "agglomerated_fraction", "largest_agglomerate", "mean_agglomerate_size",
                                "mean_radius_of_gyration", "spanning_agglomerates", "fractal_dimension",
@@ -45,12 +65,33 @@ std::vector<std::string> series_columns(bool agglomerates) {
 
 std::vector<double> values_of(const SeriesRow& r) {
   const Measured& m = r.measured;
-  std::vector<double> v = {r.time, whole(r.step), m.kinetic, m.rotational, m.elastic, m.cohesive, -m.body_work,
-                           m.dissipated_normal, m.dissipated_sliding, m.dissipated_rolling, m.drag_work,
-                           m.prescribed_work, r.balance.energy_error, m.momentum[0], m.momentum[1], m.momentum[2],
-                           r.balance.momentum_error, m.angular_momentum[0], m.angular_momentum[1], m.angular_momentum[2],
-                           r.balance.angular_momentum_error, whole(r.contacts), r.max_overlap, r.speeds.largest,
-                           r.speeds.mean, r.collision_speed, r.stickiness};
+  std::vector<double> v = {r.time,
+                           whole(r.step),
+                           m.kinetic,
+                           m.rotational,
+                           m.elastic,
+                           m.cohesive,
+                           -m.body_work,
+                           m.dissipated_normal,
+                           m.dissipated_sliding,
+                           m.dissipated_rolling,
+                           m.drag_work,
+                           m.prescribed_work,
+                           r.balance.energy_error,
+                           m.momentum[0],
+                           m.momentum[1],
+                           m.momentum[2],
+                           r.balance.momentum_error,
+                           m.angular_momentum[0],
+                           m.angular_momentum[1],
+                           m.angular_momentum[2],
+                           r.balance.angular_momentum_error,
+                           whole(r.contacts),
+                           r.max_overlap,
+                           r.speeds.largest,
+                           r.speeds.mean,
+                           r.collision_speed,
+                           r.stickiness};
   if (const auto& a = r.agglomerates)
     v.insert(v.end(), {whole(a->agglomerates), a->agglomerated_fraction, whole(a->largest_agglomerate),
                        a->mean_agglomerate_size, a->mean_radius_of_gyration, whole(a->spanning_agglomerates),
@@ -120,7 +161,8 @@ std::vector<FrameColumn> frame_columns(const FrameData& d) {
       column("material", "1", "Place of the material in the case, from 0.", d.material, 1),
       column("group", "1", "Place of the particle group in the case, from 0.", d.group, 1)};
   if (!d.agglomerate.empty()) {
-    out.push_back(column("agglomerate", "1", "Smallest id in the agglomerate; -1 for a single particle.", d.agglomerate, 1));
+    out.push_back(
+        column("agglomerate", "1", "Smallest id in the agglomerate; -1 for a single particle.", d.agglomerate, 1));
     out.push_back(column("agglomerate_size", "1", "Number of particles in the agglomerate.", d.agglomerate_size, 1));
   }
   return out;

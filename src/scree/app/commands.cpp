@@ -1,11 +1,10 @@
 #include "scree/app/commands.h"
 
-#include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
-
-#include <fmt/format.h>
 
 #include "scree/app/bench.h"
 #include "scree/app/data_files.h"

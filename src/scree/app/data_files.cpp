@@ -51,8 +51,8 @@ fs::path data_directory(const std::string& name) {
 std::string list_examples() {
   std::string text = "Examples; `scree new NAME` copies one:\n";
   for (const fs::path& example : examples())
-    text += fmt::format("  {:<32} {}\n", plain_name(example),
-                        load_case((example / "case.toml").string()).simulation.title);
+    text +=
+        fmt::format("  {:<32} {}\n", plain_name(example), load_case((example / "case.toml").string()).simulation.title);
   return text;
 }
 
@@ -63,8 +63,8 @@ std::string copy_example(const std::string& name, const std::string& directory) 
     if (name != names.back() && name != example.filename().string()) continue;
     const fs::path target = directory.empty() ? fs::path(names.back()) : fs::path(directory);
     if (fs::exists(target))
-      throw InputError(fmt::format("{} is there already; name another directory: scree new {} DIRECTORY",
-                                   target.string(), name));
+      throw InputError(
+          fmt::format("{} is there already; name another directory: scree new {} DIRECTORY", target.string(), name));
     fs::copy(example, target, fs::copy_options::recursive);
     return fmt::format("copied to {0}\nrun it:  scree run {0}/case.toml", target.string());
   }

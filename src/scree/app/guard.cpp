@@ -19,9 +19,10 @@ std::string place_of(const Particles& p, std::size_t i) {
   for (std::size_t i = 0; i < p.size(); ++i)
     for (int k = 0; k < 8; ++k)
       if (!(std::abs(p.motion.row(i)[k]) < 1e150))
-        throw PhysicsError(fmt::format("t = {:.9g} s: the motion of {} is no longer finite. The time step is too long for "
-                                       "the forces: see `scree check`",
-                                       time, place_of(p, i)));
+        throw PhysicsError(
+            fmt::format("t = {:.9g} s: the motion of {} is no longer finite. The time step is too long for "
+                        "the forces: see `scree check`",
+                        time, place_of(p, i)));
   throw PhysicsError(fmt::format("t = {:.9g} s: a speed is no longer finite", time));
 }
 
@@ -31,10 +32,11 @@ std::string place_of(const Particles& p, std::size_t i) {
     for (int k = 0; k < 3; ++k) {
       const double x = p.motion.row(i)[k];
       if (!s.domain.periodic[k] && (x < s.domain.min[k] || x >= s.domain.max[k]))
-        throw PhysicsError(fmt::format(
-            "t = {:.9g} s: {} has left the domain through its {} {} face. Close it with a wall, make the axis periodic, or "
-            "enlarge [domain]",
-            time, place_of(p, i), x < s.domain.min[k] ? "lower" : "upper", "xyz"[k]));
+        throw PhysicsError(
+            fmt::format("t = {:.9g} s: {} has left the domain through its {} {} face. Close it with a wall, make the "
+                        "axis periodic, or "
+                        "enlarge [domain]",
+                        time, place_of(p, i), x < s.domain.min[k] ? "lower" : "upper", "xyz"[k]));
     }
   throw PhysicsError(fmt::format("t = {:.9g} s: a particle has left the domain", time));
 }
@@ -63,10 +65,11 @@ std::string place_of(const Particles& p, std::size_t i) {
     }
   }
   const std::string who = worst > 0.5 * deepest ? place_of(p, a) + " and " + place_of(p, b) : "a particle and a wall";
-  throw PhysicsError(fmt::format(
-      "t = {:.9g} s: an overlap of {:.3g} of twice the effective radius exceeds simulation.max_overlap = {:.3g}, between {}. "
-      "The material is too soft for these speeds, or the time step too long: see `scree check`",
-      time, deepest, limit, who));
+  throw PhysicsError(
+      fmt::format("t = {:.9g} s: an overlap of {:.3g} of twice the effective radius exceeds simulation.max_overlap = "
+                  "{:.3g}, between {}. "
+                  "The material is too soft for these speeds, or the time step too long: see `scree check`",
+                  time, deepest, limit, who));
 }
 
 }  // namespace

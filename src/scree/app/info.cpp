@@ -1,7 +1,7 @@
 #include "scree/app/info.h"
 
-#include <H5public.h>
 #include <fmt/format.h>
+#include <H5public.h>
 #include <openssl/crypto.h>
 #include <sys/utsname.h>
 #include <unistd.h>
@@ -28,7 +28,8 @@ std::string info_text() {
   line("HDF5", fmt::format("{}.{}.{}", major, minor, release));
   line("OpenSSL", OpenSSL_version(OPENSSL_VERSION_STRING));
   line("instruction set", sweep_kernels({}, 1).name);
-  line("processors", fmt::format("{} (this process may use {})", sysconf(_SC_NPROCESSORS_ONLN), available_processors()));
+  line("processors",
+       fmt::format("{} (this process may use {})", sysconf(_SC_NPROCESSORS_ONLN), available_processors()));
   line("memory", fmt::format("{:.1f} GiB", memory / (1024.0 * 1024.0 * 1024.0)));
   line("system", fmt::format("{} {} {}", system.sysname, system.release, system.machine));
   line("examples", data_directory("examples").string());

@@ -1,6 +1,5 @@
 // The command line.
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <new>
 
@@ -22,9 +21,10 @@ int run_command(CLI::App& app, const Commands& commands) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Scree simulates particles that collide and are carried by a fluid.\n\n"
-               "A first run:   scree new taylor_green_agglomeration && scree run taylor_green_agglomeration/case.toml\n"
-               "What a key means:   scree explain contact.normal"};
+  CLI::App app{
+      "Scree simulates particles that collide and are carried by a fluid.\n\n"
+      "A first run:   scree new taylor_green_agglomeration && scree run taylor_green_agglomeration/case.toml\n"
+      "What a key means:   scree explain contact.normal"};
   app.set_version_flag("--version", std::string("scree ") + version + " (" + commit + ")");
   app.require_subcommand(1);
   app.footer("Exit codes: 0 done, 2 input, 3 physics, 4 resources, 130 interrupted.");

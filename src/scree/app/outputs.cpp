@@ -63,8 +63,10 @@ Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& cloc
 void Outputs::write_due(Simulation& simulation) {
   const Clock& clock = simulation.clock();
   const std::int64_t every = static_cast<std::int64_t>(case_.ledger.every);
-  if (clock.step >= row_due_) write_row(simulation);
-  else if (every > 0 && clock.step % every == 0) enter_books(simulation);
+  if (clock.step >= row_due_)
+    write_row(simulation);
+  else if (every > 0 && clock.step % every == 0)
+    enter_books(simulation);
   if (clock.step >= frame_due_) write_frame(simulation);
   if (clock.step >= checkpoint_due_) write_checkpoint(simulation);
 }
@@ -105,7 +107,8 @@ void Outputs::write_row(Simulation& simulation) {
   impacts_ = tally.impacts;
   impact_speed_ = tally.impact_speed;
   if (case_.analysis.agglomerates) {
-    const Agglomerates found = find_agglomerates(sample.system.particles, sample.system.domain, bonds_of(sample.system));
+    const Agglomerates found =
+        find_agglomerates(sample.system.particles, sample.system.domain, bonds_of(sample.system));
     row.agglomerates = summarize(found);
     append_sizes(*sizes_, row.time, size_distribution(found));
     const double wanted = case_.analysis.stop_agglomerated;

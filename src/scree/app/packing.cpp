@@ -25,7 +25,8 @@ std::string table_of(const FrameData& d) {
   std::string text = "x,y,z,vx,vy,vz,diameter\n";
   for (std::size_t i = 0; i < d.id.size(); ++i) {
     const double *x = &d.position[3 * i], *v = &d.velocity[3 * i];
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", x[0], x[1], x[2], v[0], v[1], v[2], d.diameter[i]);
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", x[0], x[1], x[2], v[0], v[1], v[2],
+                   d.diameter[i]);
   }
   return text;
 }

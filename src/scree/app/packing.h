@@ -5,8 +5,8 @@
 
 namespace scree {
 
-/// Path of the table of particles (CSV) of a scene in `directory`; makes it by running bench/make_SCENE.toml if it is not
-/// there yet, which takes a minute or two.
+/// Path of the table of particles (CSV) of a scene in `directory`; makes it by running bench/make_SCENE.toml if it is
+/// not there yet, which takes a minute or two.
 std::string make_packing(const std::string& scene, const std::string& directory);
 
 }  // namespace scree

@@ -92,11 +92,11 @@ void fill_summary(const Run& run, WallClock::time_point begin) {
 void say_end(const RunResult& result, const RunOptions& options) {
   const Summary& s = result.summary;
   const double rate = s.wall_seconds > 0 ? static_cast<double>(s.particle_steps) / s.wall_seconds : 0;
-  std::fprintf(stderr, "%s\n",
-               fmt::format("{}: {} steps to t = {:.6g} s in {}, {:.3g} particle-steps per second; {}\nresults in {}",
-                           s.status, s.steps, s.time, clock_text(s.wall_seconds), rate, ledger_line(result.balance),
-                           options.directory)
-                   .c_str());
+  std::fprintf(
+      stderr, "%s\n",
+      fmt::format("{}: {} steps to t = {:.6g} s in {}, {:.3g} particle-steps per second; {}\nresults in {}", s.status,
+                  s.steps, s.time, clock_text(s.wall_seconds), rate, ledger_line(result.balance), options.directory)
+          .c_str());
 }
 
 }  // namespace

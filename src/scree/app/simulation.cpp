@@ -47,7 +47,8 @@ void Simulation::advance_particles() {
   note_travel(lists_, std::sqrt(findings_.fastest2) * clock_.dt);
 }
 
-/// The pass has carried prescribed bodies on with their old velocity; put them where the formula at mid step takes them.
+/// The pass has carried prescribed bodies on with their old velocity; put them where the formula at mid step takes
+/// them.
 void Simulation::move_prescribed_bodies() {
   if (prescribed_.empty()) return;
   const bool leapfrog = move_now().scheme == SC_LEAPFROG;
@@ -79,9 +80,7 @@ void Simulation::move_prescribed_bodies() {
   note_travel(lists_, std::sqrt(fastest2) * clock_.dt);
 }
 
-void Simulation::guard() const {
-  guard_step(system_, findings_, case_.simulation.max_overlap, clock_.now());
-}
+void Simulation::guard() const { guard_step(system_, findings_, case_.simulation.max_overlap, clock_.now()); }
 
 sc_move Simulation::move_now() const {
   sc_move m{};

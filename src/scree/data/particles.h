@@ -18,18 +18,18 @@ enum class Travels { always, on_migration, never };
 // What a pair reads together lies together: `motion` is one cache line, `spin` half of one; a contact reads 96 bytes of
 // each partner. The spin is kept as radius times angular velocity, so that every lane a contact needs is a sum or a
 // difference of the two rows.
-#define SCREE_PARTICLE_FIELDS(FIELD)                                                                                  \
-  FIELD(motion, double, 8, always, true, "x y z [m] radius [m] vx vy vz [m/s] inverse_mass [1/kg]")                   \
-  FIELD(spin, double, 4, always, true, "radius * wx wy wz [m/s] inverse_radius [1/m]")                                \
-  FIELD(id, std::int64_t, 1, on_migration, true, "id for life")                                                       \
-  FIELD(material, std::int32_t, 1, on_migration, true, "index into the materials")                                    \
-  FIELD(group, std::int32_t, 1, on_migration, true, "index into the particle groups of the case")                     \
-  FIELD(image, std::int32_t, 4, on_migration, true, "periods travelled along x y z, unused")                          \
-  FIELD(mass, double, 1, on_migration, true, "mass [kg], also of bodies that move as prescribed")                     \
-  FIELD(effect_excess, double, 1, on_migration, true, "effect radius minus body radius [m]")                          \
-  FIELD(loss, double, 4, on_migration, true, "energy lost by normal damping, sliding, rolling [J], unused")           \
-  FIELD(work, double, 4, on_migration, true, "work by drag, body force, prescribed motion [J], unused")               \
-  FIELD(impulse, double, 4, on_migration, true, "impulse of drag, fields, walls, fixed bodies x y z [N s], unused")    \
+#define SCREE_PARTICLE_FIELDS(FIELD)                                                                                \
+  FIELD(motion, double, 8, always, true, "x y z [m] radius [m] vx vy vz [m/s] inverse_mass [1/kg]")                 \
+  FIELD(spin, double, 4, always, true, "radius * wx wy wz [m/s] inverse_radius [1/m]")                              \
+  FIELD(id, std::int64_t, 1, on_migration, true, "id for life")                                                     \
+  FIELD(material, std::int32_t, 1, on_migration, true, "index into the materials")                                  \
+  FIELD(group, std::int32_t, 1, on_migration, true, "index into the particle groups of the case")                   \
+  FIELD(image, std::int32_t, 4, on_migration, true, "periods travelled along x y z, unused")                        \
+  FIELD(mass, double, 1, on_migration, true, "mass [kg], also of bodies that move as prescribed")                   \
+  FIELD(effect_excess, double, 1, on_migration, true, "effect radius minus body radius [m]")                        \
+  FIELD(loss, double, 4, on_migration, true, "energy lost by normal damping, sliding, rolling [J], unused")         \
+  FIELD(work, double, 4, on_migration, true, "work by drag, body force, prescribed motion [J], unused")             \
+  FIELD(impulse, double, 4, on_migration, true, "impulse of drag, fields, walls, fixed bodies x y z [N s], unused") \
   FIELD(angular_impulse, double, 4, on_migration, true, "their angular impulse about the origin x y z [N m s], unused")
 
 /// One field: `components` values per particle, contiguous.
@@ -68,7 +68,8 @@ class Particles {
   /// Calls visit(name, column, travels, saved, doc) for every field, in the order of the table.
   template <class Visit>
   void for_each_field(Visit&& visit) {
-#define FIELD(name, type, components, travels, saved, doc) visit(std::string_view(#name), name, Travels::travels, saved, doc);
+#define FIELD(name, type, components, travels, saved, doc) \
+  visit(std::string_view(#name), name, Travels::travels, saved, doc);
     SCREE_PARTICLE_FIELDS(FIELD)
 #undef FIELD
   }

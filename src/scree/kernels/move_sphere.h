@@ -17,13 +17,13 @@ enum {
 /// The constants of a step.
 typedef struct {
   int scheme;
-  int drag;             // SC_DRAG_...
-  real kick;            // time over which forces act on the velocity [s]
-  real drift;           // time over which the velocity acts on the position [s]
-  sc_vec gravity;       // the same everywhere [m/s2]
-  sc_vec rotation;      // angular velocity of the frame of reference [rad/s]
-  real fluid_density;   // [kg/m3]
-  real fluid_viscosity; // [Pa s]
+  int drag;              // SC_DRAG_...
+  real kick;             // time over which forces act on the velocity [s]
+  real drift;            // time over which the velocity acts on the position [s]
+  sc_vec gravity;        // the same everywhere [m/s2]
+  sc_vec rotation;       // angular velocity of the frame of reference [rad/s]
+  real fluid_density;    // [kg/m3]
+  real fluid_viscosity;  // [Pa s]
 } sc_move;
 
 /// What acts on a particle at its place, besides contacts.
@@ -99,8 +99,8 @@ SC_FN sc_sphere_moved sc_move_sphere(sc_move m, sc_sphere_motion s, sc_sphere_lo
   out.drag_work = sc_dot(out.drag_impulse, mean);
   out.body_impulse = sc_scale(mass, sc_add_scaled(turned, m.kick, body));
   out.body_work = sc_dot(out.body_impulse, mean);
-  const real power = sc_dot(load.force, s.velocity) + sc_dot(load.turn, s.rim) +
-                     s.inverse_radius * sc_dot(load.couple, s.rim);
+  const real power =
+      sc_dot(load.force, s.velocity) + sc_dot(load.turn, s.rim) + s.inverse_radius * sc_dot(load.couple, s.rim);
   out.prescribed_work = free_body ? R(0) : -m.kick * power;
   // Inertia 2/5 m r^2; `turn` is the torque over the radius.
   const sc_vec turn = sc_add_scaled(load.turn, s.inverse_radius, load.couple);

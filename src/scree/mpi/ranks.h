@@ -5,8 +5,8 @@
 
 namespace scree {
 
-/// A run on one process: every agreement is with itself. Collective decisions go through this type, so that a run on many
-/// processes differs in nothing else.
+/// A run on one process: every agreement is with itself. Collective decisions go through this type, so that a run on
+/// many processes differs in nothing else.
 struct Ranks {
   int rank = 0, count = 1;
 

@@ -24,9 +24,8 @@ CellLattice::CellLattice(const Domain& domain, const std::array<double, 3>& low,
     }
     break;
   }
-  std::sort(axis_.begin(), axis_.end(), [&](int a, int b) {
-    return cells_[a] != cells_[b] ? cells_[a] > cells_[b] : a > b;
-  });
+  std::sort(axis_.begin(), axis_.end(),
+            [&](int a, int b) { return cells_[a] != cells_[b] ? cells_[a] > cells_[b] : a > b; });
 }
 
 CellLattice::Span CellLattice::span(int axis, const double* x, double reach) const {

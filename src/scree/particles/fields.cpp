@@ -15,21 +15,30 @@ sc_vec value_of(VectorExpression& e, sc_vec x, double time) {
 
 sc_vec acceleration_at(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, double time) {
   switch (f.body) {
-    case BodyForce::central: return sc_central_acceleration(x, f.center, f.strength);
+    case BodyForce::central:
+      return sc_central_acceleration(x, f.center, f.strength);
     case BodyForce::rotating:
-      return sc_add(sc_centrifugal(x, f.center, frame_rotation(f, time)), sc_euler(x, f.center, f.angular_acceleration));
-    case BodyForce::expression: return value_of(*formula, x, time);
-    default: return sc_zero_vec();
+      return sc_add(sc_centrifugal(x, f.center, frame_rotation(f, time)),
+                    sc_euler(x, f.center, f.angular_acceleration));
+    case BodyForce::expression:
+      return value_of(*formula, x, time);
+    default:
+      return sc_zero_vec();
   }
 }
 
 sc_vec stream_at(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, double time) {
   switch (f.flow) {
-    case FlowKind::uniform: return f.stream;
-    case FlowKind::taylor_green: return sc_taylor_green(x, f.amplitude, f.wavenumber);
-    case FlowKind::shear: return sc_shear_flow(x, f.shear_rate, f.shear_origin);
-    case FlowKind::expression: return value_of(*formula, x, time);
-    default: return sc_zero_vec();
+    case FlowKind::uniform:
+      return f.stream;
+    case FlowKind::taylor_green:
+      return sc_taylor_green(x, f.amplitude, f.wavenumber);
+    case FlowKind::shear:
+      return sc_shear_flow(x, f.shear_rate, f.shear_origin);
+    case FlowKind::expression:
+      return value_of(*formula, x, time);
+    default:
+      return sc_zero_vec();
   }
 }
 

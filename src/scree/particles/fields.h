@@ -30,16 +30,16 @@ struct Fields {
   std::optional<VectorExpression> acceleration;
 
   FlowKind flow = FlowKind::none;
-  sc_vec stream{};                // [m/s]
-  double amplitude = 0;           // Taylor-Green A [m/s]
-  double wavenumber = 0;          // Taylor-Green a [1/m]
-  double shear_rate = 0;          // [1/s]
-  double shear_origin = 0;        // [m]
+  sc_vec stream{};          // [m/s]
+  double amplitude = 0;     // Taylor-Green A [m/s]
+  double wavenumber = 0;    // Taylor-Green a [1/m]
+  double shear_rate = 0;    // [1/s]
+  double shear_origin = 0;  // [m]
   std::optional<VectorExpression> velocity;
 
-  int drag = 0;                   // SC_DRAG_...
-  double density = 0;             // of the fluid [kg/m3]
-  double viscosity = 0;           // of the fluid [Pa s]
+  int drag = 0;          // SC_DRAG_...
+  double density = 0;    // of the fluid [kg/m3]
+  double viscosity = 0;  // of the fluid [Pa s]
 };
 
 /// True if some particle needs more than uniform gravity.
@@ -51,8 +51,8 @@ sc_vec frame_rotation(const Fields& fields, double time);
 /// Velocity of the undisturbed flow at a point [m/s]; zero without a flow.
 std::array<double, 3> flow_velocity(Fields& fields, const double* position, double time);
 
-/// Fills out[p] for every particle with what acts at its place at `time`. Coriolis forces depend on the velocity and are
-/// part of the motion (sc_move), not of the field.
+/// Fills out[p] for every particle with what acts at its place at `time`. Coriolis forces depend on the velocity and
+/// are part of the motion (sc_move), not of the field.
 void evaluate(const Fields& fields, const Particles& particles, double time, Buffer<sc_field>& out);
 
 }  // namespace scree

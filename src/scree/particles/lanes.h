@@ -1,6 +1,7 @@
 // Eight contacts side by side: rows of four numbers turned into columns of eight and back.
 //
-// GCC's vector types, so that one text serves every instruction set; the compiler splits them where registers are short.
+// GCC's vector types, so that one text serves every instruction set; the compiler splits them where registers are
+// short.
 #pragma once
 
 #include <cstdint>

@@ -123,7 +123,9 @@ Candidates find_candidates(const Particles& particles, const Domain& domain, dou
 #pragma omp parallel for schedule(static)
   for (std::int32_t i = 0; i < n; ++i) {
     auto& mine = found[omp_get_thread_num()];
-    search(particles, domain, skin, levels, i, [&](std::int32_t j) { mine.push_back({std::min(i, j), std::max(i, j)}); });
+    search(particles, domain, skin, levels, i, [&](std::int32_t j) {
+      mine.push_back({std::min(i, j), std::max(i, j)});
+    });
   }
   for (const auto& list : found)
     for (const Pair& pair : list) ++out.first[pair.owner + 1];

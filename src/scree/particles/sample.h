@@ -22,8 +22,8 @@ struct Sample {
   SweepFindings findings;
 };
 
-/// Brings `out` to the present state of `system`; the slots of `lists` serve as scratch. `move` and `time` are those of the next step; `field` as in a
-/// pass.
+/// Brings `out` to the present state of `system`; the slots of `lists` serve as scratch. `move` and `time` are those of
+/// the next step; `field` as in a pass.
 void take_sample(const ParticleSystem& system, ContactLists& lists, sc_move move, sc_contact_time time,
                  const sc_field* field, Sample& out);
 

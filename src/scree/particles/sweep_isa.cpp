@@ -36,7 +36,8 @@ bool choose(const sc_laws& laws, int materials, SweepKernels& out) {
   return true;
 }
 
-using HertzMindlin = FixedLaws<SC_NORMAL_HERTZ, SC_TANGENTIAL_MINDLIN, SC_ROLLING_NONE, SC_TWISTING_NONE, SC_COHESION_NONE>;
+using HertzMindlin =
+    FixedLaws<SC_NORMAL_HERTZ, SC_TANGENTIAL_MINDLIN, SC_ROLLING_NONE, SC_TWISTING_NONE, SC_COHESION_NONE>;
 using LinearHistory =
     FixedLaws<SC_NORMAL_LINEAR, SC_TANGENTIAL_HISTORY, SC_ROLLING_NONE, SC_TWISTING_NONE, SC_COHESION_NONE>;
 using LinearCohesive =

@@ -13,8 +13,8 @@
 
 namespace scree {
 
-/// Particles with their contacts. The lists (pairs, walls, plan) may be made again at any time without changing a bit of
-/// what follows.
+/// Particles with their contacts. The lists (pairs, walls, plan) may be made again at any time without changing a bit
+/// of what follows.
 struct ParticleSystem {
   Domain domain;
   sc_laws laws{};
@@ -30,14 +30,14 @@ struct ContactLists {
   SweepKernels kernels{};
   SweepPlan plan;
   SweepSlots slots;
-  Buffer<double> listed_at;   // [n][3]: positions when the lists were made [m]
-  double skin = 0;            // [m]
-  double travelled = 0;       // nobody has moved further since then [m]
-  double margin = 0;          // how far apart bodies may be and still act on each other [m]
-  std::int64_t passes = 0;    // since the lists were made
+  Buffer<double> listed_at;  // [n][3]: positions when the lists were made [m]
+  double skin = 0;           // [m]
+  double travelled = 0;      // nobody has moved further since then [m]
+  double margin = 0;         // how far apart bodies may be and still act on each other [m]
+  std::int64_t passes = 0;   // since the lists were made
   std::int64_t rebuilds = 0;
   bool made = false;
-  bool adapts = true;         // the skin follows the motion
+  bool adapts = true;  // the skin follows the motion
 };
 
 /// Kernels, margin and a first skin for a system; `skin` 0 lets the program choose and adapt it.
