@@ -72,6 +72,14 @@ class Cases(unittest.TestCase):
                 self.assertTrue(np.all(np.isfinite(series["kinetic_energy"])))
                 self.assertTrue((out / "frames" / "frame_000000.h5").exists())
 
+    def test_the_architecture_tells_the_memory(self):
+        text = (SOURCE / "ARCHITECTURE.md").read_text()
+        for example, pair in (("02_bouncing_ball", "candidate pair"), ("03_settling_heap", "with rolling or twisting")):
+            report = scree("check", SOURCE / "examples" / example / "case.toml").stdout
+            told = [re.search(rf"^\| {what} \| (\d+)", text, re.MULTILINE).group(1)
+                    for what in ("particle, in all", pair)]
+            self.assertIn(f"({told[0]} B per particle, {told[1]} B per pair", report)
+
     def test_the_first_steps_of_the_readme_work(self):
         """The case that README.md prints is a case, and every program call it prints exists."""
         text = (SOURCE / "README.md").read_text()

@@ -24,10 +24,17 @@ std::vector<fs::path> shipped_cases() {
   return found;
 }
 
+/// The tables of the benchmark scenes are made on demand; any file that is there will do here.
+std::vector<std::string> changes_for(const fs::path& path) {
+  const std::string name = path.filename().string();
+  if (path.parent_path() != source / "bench" || name.starts_with("make_")) return {};
+  return {"particles.0.file=\"" + path.string() + "\""};
+}
+
 TEST(ResolvedCase, EveryShippedCaseLoadsAndItsResolvedTextGivesTheSameCase) {
   EXPECT_GE(shipped_cases().size(), 2u);
   for (const fs::path& path : shipped_cases()) {
-    const std::string once = resolved_case(load_case(path.string()));
+    const std::string once = resolved_case(load_case(path.string(), changes_for(path)));
     const std::string twice = resolved_case(parse_case(once, "/elsewhere/case.toml"));
     EXPECT_EQ(once, twice) << path;
   }
