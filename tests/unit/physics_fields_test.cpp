@@ -123,7 +123,7 @@ TEST(RotatingFrame, AFreeParticleIsStraightInTheInertialFrame) {
   const double w0 = 2, w1 = 1.5;
   const auto slope = [&](double t, sc_vec x, sc_vec v) {
     const sc_vec w = sc_make_vec(0, 0, w0 + w1 * t), dw = sc_make_vec(0, 0, w1);
-    return sc_add(sc_centrifugal(x, center, w), sc_add(sc_coriolis(v, w), sc_euler(x, center, dw)));
+    return sc_add(sc_centrifugal(x, center, w), sc_add(sc_scale(2, sc_cross(v, w)), sc_euler(x, center, dw)));
   };
   sc_vec x = sc_make_vec(1.3, -0.2, 0.5),
          v = sc_make_vec(0.4, 0.1 - 2 * 1.0, 0.2);  // inertial velocity (0.4, 0.1, 0.2)
