@@ -51,6 +51,7 @@ void append_memory(std::vector<double>& to, const Contacts& contacts, std::size_
   to.push_back(slide[4 * c + 3]);
   for (int k = 0; k < 3; ++k) to.push_back(roll.empty() ? 0.0 : sign * roll[4 * c + k]);
   to.push_back(roll.empty() ? 0.0 : roll[4 * c + 3]);
+  to.push_back(contacts.active[c] == contact_code(true, true) ? 1.0 : 0.0);
 }
 
 KeyedPairs keyed_pairs(const ParticleSystem& s) {
