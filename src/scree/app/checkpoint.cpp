@@ -1,9 +1,9 @@
 // Saving a simulation, continuing it, and the hash that tells whether two are the same to the last bit.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <unordered_map>
-
-#include <fmt/format.h>
 
 #include "scree/app/simulation.h"
 #include "scree/base/error.h"
@@ -143,6 +143,51 @@ WallContacts walls_of(std::span<const std::int64_t> ids, std::span<const double>
   return out;
 }
 
+/// What the case says of a particle for all its life.
+bool same_body(const Particles& a, std::size_t i, const Particles& b, std::size_t j) {
+  const double *x = a.motion.row(i), *y = b.motion.row(j);
+  return a.material[i] == b.material[j] && a.group[i] == b.group[j] && a.mass[i] == b.mass[j] &&
+         a.effect_excess[i] == b.effect_excess[j] && x[lane::radius] == y[lane::radius] &&
+         x[lane::inverse_mass] == y[lane::inverse_mass];
+}
+
+bool within(const Domain& domain, const double* x) {
+  for (int k = 0; k < 3; ++k)
+    if (!(x[k] >= domain.min[k] && x[k] <= domain.max[k])) return false;
+  return true;
+}
+
+/// Throws InputError when the particles of a checkpoint are not those that the case makes.
+void require_same_bodies(const ParticleSystem& made, const Particles& saved, const std::string& origin) {
+  const auto row = rows_by_id(made.particles);
+  for (std::size_t i = 0; i < saved.size(); ++i) {
+    const auto found = row.find(saved.id[i]);
+    if (found == row.end() || !same_body(made.particles, static_cast<std::size_t>(found->second), saved, i))
+      throw InputError(
+          fmt::format("{} comes from another case: its particle {} is not the one that this case makes (material, "
+                      "group, size, mass or kind of motion)",
+                      origin, saved.id[i]));
+    if (!within(made.domain, saved.motion.row(i)))
+      throw InputError(
+          fmt::format("{} comes from another case: its particle {} lies outside [domain]", origin, saved.id[i]));
+  }
+}
+
+/// The particles of a checkpoint.
+Particles particles_of(const Archive& archive) {
+  Particles out;
+  out.resize(static_cast<std::size_t>(archive.integer("particles")));
+  out.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
+    if (!saved) return;
+    using Value = typename std::remove_reference_t<decltype(column)>::value_type;
+    const auto values = archive.get<Value>(std::string(name), column.components);
+    if (values.size() != column.values.size())
+      throw InputError(archive.origin + ": wrong number of " + std::string(name));
+    std::copy(values.begin(), values.end(), column.values.begin());
+  });
+  return out;
+}
+
 }  // namespace
 
 std::string Simulation::state_hash() const {
@@ -198,20 +243,17 @@ Archive Simulation::save() const {
 void Simulation::restore(const Archive& archive) {
   const std::int64_t n = archive.integer("particles");
   if (archive.number("time_step") != clock_.dt)
-    throw InputError(fmt::format("{} was written with time step {} s, the case has {} s: a run continues with its own time "
-                                 "step",
-                                 archive.origin, archive.number("time_step"), clock_.dt));
+    throw InputError(
+        fmt::format("{} was written with time step {} s, the case has {} s: a run continues with its own time "
+                    "step",
+                    archive.origin, archive.number("time_step"), clock_.dt));
   if (n != static_cast<std::int64_t>(system_.particles.size()))
     throw InputError(fmt::format("{} holds {} particles, the case {}", archive.origin, n, system_.particles.size()));
+  Particles saved = particles_of(archive);
+  require_same_bodies(system_, saved, archive.origin);
   clock_.step = archive.integer("step");
   tally_ = {archive.integer("contact_evaluations"), archive.integer("impacts"), archive.integer("impact_speed")};
-  system_.particles.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
-    if (!saved) return;
-    using Value = typename std::remove_reference_t<decltype(column)>::value_type;
-    const auto values = archive.get<Value>(std::string(name), column.components);
-    if (values.size() != column.values.size()) throw InputError(archive.origin + ": wrong number of " + std::string(name));
-    std::copy(values.begin(), values.end(), column.values.begin());
-  });
+  system_.particles = std::move(saved);
   system_.contacts = contacts_of(archive.get<std::int64_t>("pair_ids", 2), archive.get<double>("pair_memory", 9),
                                  system_.particles, system_.contacts.remembers_rolling);
   system_.wall_contacts = walls_of(archive.get<std::int64_t>("wall_ids", 2), archive.get<double>("wall_memory", 9),

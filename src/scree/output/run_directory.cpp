@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array own_files = {"case.toml", "fields.xdmf", "series.csv", "tracks.csv", "summary.json"};
+constexpr std::array own_files = {"case.toml",  "fields.xdmf",      "series.csv",
+                                  "tracks.csv", "agglomerates.csv", "summary.json"};
 constexpr std::array<std::pair<const char*, NumberedFiles>, 2> own_folders = {
     {{"frames", frame_files}, {"checkpoints", checkpoint_files}}};
 

@@ -5,6 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#ifdef __AVX512DQ__
+#include <immintrin.h>
+#endif
 
 namespace scree {
 namespace {
@@ -64,6 +67,49 @@ struct Columns {
   put(1, 5, rows15);
   put(2, 6, rows26);
   put(3, 7, rows37);
+}
+
+/// One bit per lane of a comparison's result.
+[[gnu::always_inline]] inline unsigned bits_of(mask8 m) {
+#ifdef __AVX512DQ__
+  return _mm512_movepi64_mask((__m512i)m);
+#else
+  unsigned bits = 0;
+  for (int l = 0; l < 8; ++l) bits |= static_cast<unsigned>(m[l] & 1) << l;
+  return bits;
+#endif
+}
+
+/// Bit 0 of each of eight bytes.
+[[gnu::always_inline]] inline unsigned bits_of(const std::uint8_t* bytes) {
+  std::uint64_t all;
+  __builtin_memcpy(&all, bytes, sizeof all);
+  return static_cast<unsigned>(((all & 0x0101010101010101u) * 0x0102040810204080u) >> 56);
+}
+
+/// Writes the lanes that `bits` names to `to`, close together; the rest of eight places is overwritten with anything.
+[[gnu::always_inline]] inline void pack(double* to, lane8 v, unsigned bits) {
+#ifdef __AVX512DQ__
+  _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(bits), (__m512d)v));
+#else
+  for (int l = 0; l < 8; ++l) {
+    *to = v[l];
+    to += bits >> l & 1;
+  }
+#endif
+}
+
+/// The same for the numbers from `first` on.
+[[gnu::always_inline]] inline void pack_numbers(std::int32_t* to, std::int32_t first, unsigned bits) {
+#ifdef __AVX512DQ__
+  const __m256i numbers = _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), numbers));
+#else
+  for (int l = 0; l < 8; ++l) {
+    *to = first + l;
+    to += bits >> l & 1;
+  }
+#endif
 }
 
 }  // namespace

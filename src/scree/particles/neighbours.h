@@ -19,7 +19,7 @@ struct Candidates {
 };
 
 /// Entries behind the last pair that a sweep in blocks may read; they name particle 0 twice.
-inline constexpr std::size_t candidate_padding = 16;
+inline constexpr std::size_t candidate_padding = 96;
 
 /// The order that puts the particles cell row by cell row: particle order[i] belongs at place i.
 /// `width` is the width of a cell [m].

@@ -10,7 +10,7 @@ namespace {
 
 // A tile holds whole owners, so it can be larger than tile_size by the pairs of one owner: it is then done in parts.
 constexpr int batch_size = tile_size;
-constexpr int batch_room = batch_size + 8;
+constexpr int batch_room = batch_size + 8;  // whole vectors are written
 
 struct alignas(64) Batch {
   std::int32_t which[batch_room];  // the candidates that are near enough to act

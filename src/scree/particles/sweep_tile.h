@@ -27,29 +27,40 @@ struct AnyLaws {
   return d;
 }
 
-/// Splits candidates [begin, end), at most batch_size of them, into those that may act and the rest. Returns how many
-/// may act.
+/// How many candidates ahead partners are fetched into the cache.
+constexpr std::int32_t prefetch_distance = 64;
+
+/// Splits candidates [begin, end), at most batch_size of them, into those that may act, whose branches it leaves in the
+/// batch, and the rest. Returns how many may act.
 [[gnu::always_inline]] inline int filter(const SweepView& v, std::int32_t begin, std::int32_t end, Batch& b,
                                          int& apart) {
   int near = 0;
   apart = 0;
   for (std::int32_t c = begin; c < end; c += 8) {
     lane4 row[8];
+    // The partners of the contacts to come, which lie in other rows of cells, are on their way meanwhile.
+    for (int l = 0; l < 8; ++l) {
+      const std::int64_t ahead = v.partner[c + l + prefetch_distance];
+      __builtin_prefetch(v.motion + 8 * ahead);
+      __builtin_prefetch(v.spin + 4 * ahead);
+    }
     // Candidates beyond `end` are read (the lists are padded) and dropped below.
     for (int l = 0; l < 8; ++l)
       row[l] = branch_of(v, v.motion + std::int64_t{8} * v.owner[c + l], v.motion + std::int64_t{8} * v.partner[c + l]);
     const Columns d = columns_of(row);
     const lane8 range = d.w + v.margin;
-    const mask8 acts = d.x * d.x + d.y * d.y + d.z * d.z < range * range;
-    const int count = end - c < 8 ? end - c : 8;
-    for (int l = 0; l < count; ++l) {
-      b.which[near] = c + l;
-      b.apart[apart] = c + l;
-      // A contact that acted is looked at once more when it has parted: the break of a bond costs energy.
-      const int act_now = static_cast<int>((acts[l] | v.active[c + l]) & 1);
-      near += act_now;
-      apart += 1 - act_now;
-    }
+    const unsigned there = end - c < 8 ? (1u << (end - c)) - 1 : 255u;
+    // A contact that acted is looked at once more when it has parted: the break of a bond costs energy.
+    const unsigned acts =
+        (bits_of(d.x * d.x + d.y * d.y + d.z * d.z < range * range) | bits_of(v.active + c)) & there;
+    pack(b.bx + near, d.x, acts);
+    pack(b.by + near, d.y, acts);
+    pack(b.bz + near, d.z, acts);
+    pack(b.rr + near, d.w, acts);
+    pack_numbers(b.which + near, c, acts);
+    pack_numbers(b.apart + apart, c, ~acts & there);
+    near += __builtin_popcount(acts);
+    apart += __builtin_popcount(~acts & there);
   }
   return near;
 }
@@ -74,30 +85,36 @@ struct AnyLaws {
 }
 
 /// Brings the states of the contacts in `which` side by side. Rounds `near` up to whole vectors with copies of the first.
+template <bool OneMaterial>
 [[gnu::always_inline]] inline void load(const SweepView& v, const sc_laws laws, Batch& b, int near) {
-  for (int k = near; k % 8; ++k) b.which[k] = b.which[0];
+  static constexpr double acted[4] = {0, 1, 0, 1}, slid[4] = {0, 0, 0, 1};  // by contact_code()
+  for (int k = near; k % 8; ++k) {
+    b.which[k] = b.which[0];
+    b.bx[k] = b.bx[0];
+    b.by[k] = b.by[0];
+    b.bz[k] = b.bz[0];
+    b.rr[k] = b.rr[0];
+  }
   const bool rolls = law_rolls(laws), reaches = law_reaches(laws);
   for (int k = 0; k < near; k += 8) {
-    lane4 branch[8], velocity[8], rim[8];
+    lane4 velocity[8], rim[8], slide[8];
     for (int l = 0; l < 8; ++l) {
       const std::int64_t i = v.owner[b.which[k + l]], j = v.partner[b.which[k + l]];
-      const double *a = v.motion + 8 * i, *p = v.motion + 8 * j;
-      branch[l] = branch_of(v, a, p);
-      const lane4 va = load4(a + 4), vb = load4(p + 4);
+      const lane4 va = load4(v.motion + 8 * i + 4), vb = load4(v.motion + 8 * j + 4);
       velocity[l] = last_of(va - vb, va + vb);
       rim[l] = load4(v.spin + 4 * i) + load4(v.spin + 4 * j);
+      slide[l] = load4(v.slide + std::int64_t{4} * b.which[k + l]);
     }
-    put(b.bx, b.by, b.bz, b.rr, k, columns_of(branch));
     put(b.ux, b.uy, b.uz, b.im, k, columns_of(velocity));
     put(b.sx, b.sy, b.sz, b.ir, k, columns_of(rim));
-    lane4 slide[8];
-    for (int l = 0; l < 8; ++l) slide[l] = load4(v.slide + std::int64_t{4} * b.which[k + l]);
     put(b.qx, b.qy, b.qz, b.qv, k, columns_of(slide));
     for (int l = 0; l < 8; ++l) {
-      const std::int64_t c = b.which[k + l], i = v.owner[c], j = v.partner[c];
-      b.acted[k + l] = v.active[c] & 1;
-      b.slid[k + l] = v.active[c] >> 1;
-      b.pair_law[k + l] = v.materials > 1 ? v.material[i] * v.materials + v.material[j] : 0;
+      const std::int64_t c = b.which[k + l];
+      b.acted[k + l] = acted[v.active[c]];
+      b.slid[k + l] = slid[v.active[c]];
+      if (OneMaterial && !reaches && !rolls) continue;
+      const std::int64_t i = v.owner[c], j = v.partner[c];
+      if (!OneMaterial) b.pair_law[k + l] = v.material[i] * v.materials + v.material[j];
       if (reaches) b.excess[k + l] = v.effect_excess[i] + v.effect_excess[j];
       if (!rolls) continue;
       const double *sa = v.spin + 4 * i, *sb = v.spin + 4 * j;
@@ -143,9 +160,12 @@ struct AnyLaws {
       store4(v.roll + 4 * c, lane4{b.px[k + l], b.py[k + l], b.pz[k + l], b.twist[k + l]});
     }
   }
-  double deepest = findings.deepest;
-  for (int k = 0; k < near; ++k) deepest = SC_MAX(deepest, b.depth[k]);
-  findings.deepest = deepest;
+  lane8 deepest{};
+  for (int k = 0; k < near; k += 8) {
+    const lane8 depth = load8(b.depth + k);
+    deepest = depth > deepest ? depth : deepest;
+  }
+  for (int l = 0; l < 8; ++l) findings.deepest = SC_MAX(findings.deepest, deepest[l]);
 }
 
 /// All pairs [begin, end) of a tile.
@@ -159,7 +179,7 @@ template <class Laws, bool OneMaterial>
     const int near = filter(v, from, to, b, apart);
     part(v, b, apart);
     if (!near) continue;
-    load(v, laws, b, near);
+    load<OneMaterial>(v, laws, b, near);
     act<OneMaterial>(b, (near + 7) & ~7, laws, v.law, v.time);
     store(v, laws, b, near, findings);
   }
