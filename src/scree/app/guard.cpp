@@ -41,10 +41,15 @@ std::string place_of(const Particles& p, std::size_t i) {
   throw PhysicsError(fmt::format("t = {:.9g} s: a particle has left the domain", time));
 }
 
-/// The deepest pair now, one step after it was noticed; the walls' partners are named by the particle alone.
-[[noreturn]] void report_deep(const ParticleSystem& s, double deepest, double limit, double time) {
+/// Bodies that overlap, and by how much of twice their effective radius.
+struct Overlap {
+  double share = -1;
+  std::string who;
+};
+
+Overlap deepest_pair(const ParticleSystem& s) {
   const Particles& p = s.particles;
-  double worst = -1;
+  Overlap worst;
   std::size_t a = 0, b = 0;
   for (std::size_t c = 0; c < s.contacts.pairs.count; ++c) {
     const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
@@ -58,18 +63,41 @@ std::string place_of(const Particles& p, std::size_t i) {
     }
     const double overlap = x[lane::radius] + y[lane::radius] - std::sqrt(d2);
     const double share = 0.5 * overlap * (1 / x[lane::radius] + 1 / y[lane::radius]);
-    if (share > worst) {
-      worst = share;
-      a = i;
-      b = j;
-    }
+    if (share <= worst.share) continue;
+    worst.share = share;
+    a = static_cast<std::size_t>(i);
+    b = static_cast<std::size_t>(j);
   }
-  const std::string who = worst > 0.5 * deepest ? place_of(p, a) + " and " + place_of(p, b) : "a particle and a wall";
+  if (worst.share > 0) worst.who = place_of(p, a) + " and " + place_of(p, b);
+  return worst;
+}
+
+Overlap deepest_at_wall(const ParticleSystem& s) {
+  const Particles& p = s.particles;
+  Overlap worst;
+  for (std::size_t i = 0; i + 1 < s.wall_contacts.first.size(); ++i)
+    for (std::int32_t c = s.wall_contacts.first[i]; c < s.wall_contacts.first[i + 1]; ++c) {
+      const std::int32_t face = s.wall_contacts.wall[c];
+      const double* m = p.motion.row(i);
+      sc_sphere_wall sphere{};
+      sphere.position = sc_make_vec(m[lane::x], m[lane::y], m[lane::z]);
+      sphere.radius = m[lane::radius];
+      sphere.inverse_mass = m[lane::inverse_mass];
+      const double share = 0.5 * sc_touch_wall(sphere, s.walls.faces[face]).touch.overlap / m[lane::radius];
+      if (share <= worst.share) continue;
+      worst = {share, place_of(p, i) + " and wall '" + s.walls.names[s.walls.owner[face]] + "'"};
+    }
+  return worst;
+}
+
+/// Names the deepest contact there is now, one step after it was noticed.
+[[noreturn]] void report_deep(const ParticleSystem& s, double deepest, double limit, double time) {
+  const Overlap pair = deepest_pair(s), wall = deepest_at_wall(s);
   throw PhysicsError(
       fmt::format("t = {:.9g} s: an overlap of {:.3g} of twice the effective radius exceeds simulation.max_overlap = "
                   "{:.3g}, between {}. "
                   "The material is too soft for these speeds, or the time step too long: see `scree check`",
-                  time, deepest, limit, who));
+                  time, deepest, limit, wall.share > pair.share ? wall.who : pair.who));
 }
 
 }  // namespace

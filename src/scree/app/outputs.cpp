@@ -154,7 +154,9 @@ void Outputs::write_checkpoint(const Simulation& simulation) {
 
 std::string Outputs::write_last_good() const {
   if (!last_good_) return {};
-  const auto path = directory_.checkpoint(static_cast<std::uint64_t>(last_good_->integer("step")));
+  const std::int64_t step = last_good_->integer("step");
+  if (checkpoint_step_ > step) return directory_.checkpoint(static_cast<std::uint64_t>(checkpoint_step_)).string();
+  const auto path = directory_.checkpoint(static_cast<std::uint64_t>(step));
   write_archive(path, *last_good_);
   directory_.prune_checkpoints();
   return path.string();

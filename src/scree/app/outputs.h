@@ -32,7 +32,8 @@ class Outputs {
   /// Writes a checkpoint of the present state and removes old ones.
   void write_checkpoint(const Simulation& simulation);
 
-  /// Writes the state that the last row of the series saw, for when the present one is lost. Returns the file's name.
+  /// Writes the state that the last row of the series saw, for when the present one is lost, unless a later checkpoint
+  /// is there. Returns the file's name.
   std::string write_last_good() const;
 
   /// Row, frame and checkpoint of the present state, due or not, unless they are there already.

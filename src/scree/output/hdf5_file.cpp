@@ -173,6 +173,7 @@ void Hdf5File::write(const std::string& name, const ArrayView& array, Storage st
   const int rank = array.columns == 1 ? 1 : 2;
   const Handle space(H5Screate_simple(rank, extent.data(), nullptr), H5Sclose);
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation, false);          // the same data give the same bytes at any time of day
   H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER);  // every element is written below
   if (storage == Storage::compressed && array.bytes() > 0) {
     const hsize_t row_bytes = array.columns * element_size(array.element);
@@ -191,7 +192,9 @@ void Hdf5File::write(const std::string& name, const ArrayView& array, Storage st
 void Hdf5File::write_text(const std::string& name, std::string_view text) {
   const Handle type(text_type(text), H5Tclose);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle dataset(H5Dcreate2(handle_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation, false);
+  const Handle dataset(H5Dcreate2(handle_, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);
   check(dataset, name);
   check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.empty() ? "" : text.data()), name);
 }
