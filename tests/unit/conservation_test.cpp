@@ -147,9 +147,10 @@ TEST(Momentum, IsBookedFromFixedAndPrescribedBodies) {
   const std::string bodies =
       "[[particles]]\nname = \"posts\"\nmaterial = \"grain\"\ndiameter = 4e-3\nmotion = \"fixed\"\ninsert = "
       "\"positions\"\n"
-      "positions = [[0, 0, -0.0115], [0.002, 0, 0.0115]]\nangular_velocity = [0, 50, 0]\n"
+      "positions = [[0, 0, -0.0115], [0.002, 0, 0.0115]]\n"
       "[[particles]]\nname = \"piston\"\nmaterial = \"grain\"\ndiameter = 6e-3\nmotion = \"prescribed\"\n"
-      "insert = \"positions\"\npositions = [[0.014, 0, 0]]\nmotion_velocity = [\"-0.5*cos(100*t)\", \"0\", \"0.1\"]\n";
+      "angular_velocity = [0, 50, 0]\ninsert = \"positions\"\npositions = [[0.014, 0, 0]]\nmotion_velocity = "
+      "[\"-0.5*cos(100*t)\", \"0\", \"0.1\"]\n";
   expect_closed("bodies", case_of(cloud_text(300) + bodies), 1500, {"momentum_impulse", "angular_impulse"});
 }
 

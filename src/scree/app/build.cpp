@@ -50,14 +50,6 @@ Fields build_fields(const Case& c) {
   return f;
 }
 
-std::vector<PrescribedGroup> build_prescribed(const Case& c) {
-  std::vector<PrescribedGroup> out;
-  for (std::size_t g = 0; g < c.particles.size(); ++g)
-    if (c.particles[g].motion == "prescribed")
-      out.push_back({static_cast<std::int32_t>(g), formulas(c.particles[g].motion_velocity, place_and_time)});
-  return out;
-}
-
 ParticleSystem build_system(const Case& c, Fields& fields) {
   ParticleSystem s;
   s.domain = build_domain(c);

@@ -42,6 +42,13 @@ void place(ParticleGroup& group, const ParticleKeys& keys, const DomainKeys& dom
     for (const Vec3& x : keys.positions) group.given.push_back({x, {}, {}, {}});
 }
 
+/// What is fixed has no velocity, whatever a shared file of positions says.
+void rest(ParticleGroup& group) {
+  group.start = ParticleGroup::Start::given;
+  group.velocity = group.angular_velocity = {};
+  for (GivenParticle& given : group.given) given.velocity = given.angular_velocity = std::nullopt;
+}
+
 ParticleGroup group_of(const Case& c, const ParticleKeys& keys) {
   using Start = ParticleGroup::Start;
   ParticleGroup group;
@@ -58,6 +65,7 @@ ParticleGroup group_of(const Case& c, const ParticleKeys& keys) {
   group.velocity = keys.velocity.value;
   group.velocity_deviation = keys.velocity.deviation;
   group.angular_velocity = keys.angular_velocity;
+  if (keys.motion == "fixed") rest(group);
   return group;
 }
 

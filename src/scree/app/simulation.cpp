@@ -7,9 +7,10 @@
 #include "scree/app/models.h"
 
 namespace scree {
-Simulation::Simulation(const Case& c, int threads)
-    : case_(c), threads_(threads), fields_(build_fields(c)), prescribed_(build_prescribed(c)) {
+Simulation::Simulation(const Case& c, int threads) : case_(c), threads_(threads), fields_(build_fields(c)) {
   system_ = build_system(case_, fields_);
+  prescribed_ = build_prescribed(c, system_.particles);
+  set_velocities(prescribed_, system_.particles, 0);
   lists_ = prepare_lists(system_, c.simulation.skin);
   clock_.dt = time_step_of(c, system_.materials);
 }
@@ -47,37 +48,11 @@ void Simulation::advance_particles() {
   note_travel(lists_, std::sqrt(findings_.fastest2) * clock_.dt);
 }
 
-/// The pass has carried prescribed bodies on with their old velocity; put them where the formula at mid step takes
-/// them.
 void Simulation::move_prescribed_bodies() {
   if (prescribed_.empty()) return;
   const bool leapfrog = move_now().scheme == SC_LEAPFROG;
-  const double middle = clock_.now() + 0.5 * clock_.dt, end = clock_.now() + clock_.dt;
-  Particles& p = system_.particles;
-  double fastest2 = 0;
-  for (PrescribedGroup& group : prescribed_)
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      if (p.group[i] != group.group) continue;
-      double* m = p.motion.row(i);
-      const double at_middle[4] = {m[0], m[1], m[2], middle}, at_end[4] = {m[0], m[1], m[2], end};
-      double speed2 = 0;
-      for (int k = 0; k < 3; ++k) {
-        const double drift = group.velocity[k](at_middle);
-        m[k] += clock_.dt * (drift - m[lane::vx + k]);
-        m[lane::vx + k] = leapfrog ? drift : group.velocity[k](at_end);
-        speed2 += drift * drift;
-        if (m[k] < system_.domain.min[k] && system_.domain.periodic[k]) {
-          m[k] += system_.domain.period(k);
-          --p.image.row(i)[k];
-        }
-        if (m[k] >= system_.domain.max[k] && system_.domain.periodic[k]) {
-          m[k] -= system_.domain.period(k);
-          ++p.image.row(i)[k];
-        }
-      }
-      fastest2 = std::max(fastest2, speed2);
-    }
-  note_travel(lists_, std::sqrt(fastest2) * clock_.dt);
+  const double fastest = carry(prescribed_, system_.particles, system_.domain, clock_.now(), clock_.dt, leapfrog);
+  note_travel(lists_, fastest * clock_.dt);
 }
 
 void Simulation::guard() const { guard_step(system_, findings_, case_.simulation.max_overlap, clock_.now()); }
@@ -108,6 +83,7 @@ const Sample& Simulation::sample() {
   evaluate_fields();
   const Stopwatch watch(stages_, "samples");
   take_sample(system_, lists_, move_now(), contact_time_now(), act_locally(fields_) ? field_.data() : nullptr, sample_);
+  set_velocities(prescribed_, sample_.system.particles, clock_.now());
   sampled_step_ = clock_.step;
   return sample_;
 }

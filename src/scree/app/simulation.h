@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scree/app/build.h"
+#include "scree/app/prescribed.h"
 #include "scree/base/stopwatch.h"
 #include "scree/input/case.h"
 #include "scree/output/archive.h"

@@ -1,0 +1,33 @@
+// Particle groups of infinite mass that move by formulas.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "scree/data/domain.h"
+#include "scree/data/particles.h"
+#include "scree/input/case.h"
+#include "scree/particles/fields.h"
+
+namespace scree {
+
+/// A group of particles whose velocity is given by formulas of the initial x, y, z and of t.
+struct PrescribedGroup {
+  std::int64_t first = 0;                    // the lowest id; those of the group follow
+  std::vector<std::array<double, 3>> start;  // initial positions, by id [m]
+  VectorExpression velocity;                 // [m/s]
+};
+
+/// The prescribed groups of a case whose particles are those at the start.
+std::vector<PrescribedGroup> build_prescribed(const Case& c, const Particles& particles);
+
+/// Gives the bodies of the groups the velocity of their formulas at `time` [s].
+void set_velocities(std::vector<PrescribedGroup>& groups, Particles& particles, double time);
+
+/// A pass has carried the bodies on for `dt` with their old velocity: puts them where their velocity at mid step takes
+/// them from `now` [s], with that velocity if `leapfrog`, else that of the end. Returns the largest speed [m/s].
+double carry(std::vector<PrescribedGroup>& groups, Particles& particles, const Domain& domain, double now, double dt,
+             bool leapfrog);
+
+}  // namespace scree
