@@ -22,11 +22,11 @@ std::int64_t first_due(double interval, std::int64_t step, double dt) {
 
 std::int64_t next_due(std::int64_t step, double interval, double dt) {
   if (interval <= 0) return never;
-  // A step that falls on an instant up to rounding belongs to it.
-  const double hair = 1e-9;
-  double instant = std::floor(static_cast<double>(step) * dt / interval + hair) + 1;
-  std::int64_t due = static_cast<std::int64_t>(std::ceil(instant * interval / dt - hair));
-  while (due <= step) due = static_cast<std::int64_t>(std::ceil(++instant * interval / dt - hair));
+  // A step that falls on an instant up to rounding belongs to it; a billion steps round by less than this many steps.
+  const double hair = 1e-5, steps = interval / dt;
+  double instant = std::floor((static_cast<double>(step) + hair) / steps) + 1;
+  std::int64_t due = static_cast<std::int64_t>(std::ceil(instant * steps - hair));
+  while (due <= step) due = static_cast<std::int64_t>(std::ceil(++instant * steps - hair));
   return due;
 }
 

@@ -25,7 +25,7 @@ double seconds_since(WallClock::time_point begin) {
 }
 
 /// Steps until `end`; an end that falls on a step up to rounding is reached by it.
-std::int64_t steps_until(double end, double dt) { return static_cast<std::int64_t>(std::ceil(end / dt - 1e-9)); }
+std::int64_t steps_until(double end, double dt) { return static_cast<std::int64_t>(std::ceil(end / dt - 1e-5)); }
 
 std::vector<std::pair<std::string, double>> ledger_of(const Outputs& outputs) {
   const Measured& m = outputs.measured();

@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include "scree/base/exact_sum.h"
+#include "scree/compute/launch.h"
 #include "scree/physics/contact/law.h"
 #include "scree/physics/touch/sphere_sphere.h"
 
@@ -67,6 +68,26 @@ struct StoredSums {
   }
 };
 
+/// Adds body forces and drag to the forces of contacts, at the velocities of the sample.
+void add_outside_forces(Sample& sample, const sc_move& move, const sc_field* field) {
+  const Particles& p = sample.system.particles;
+  launch(p.size(), [&](std::size_t i) {
+    const double* m = p.motion.row(i);
+    if (m[lane::inverse_mass] == 0) return;
+    const sc_vec velocity = vec_of(m + lane::vx);
+    sc_vec push = sc_add_scaled(move.gravity, 2, sc_cross(velocity, move.rotation));  // Coriolis: -2 w x v
+    if (field) {
+      const sc_vec slip = sc_sub(field[i].fluid, velocity);
+      const double rate = sc_drag_rate(move.drag, sc_norm(slip), 2 * m[lane::radius], m[lane::inverse_mass],
+                                       move.fluid_density, move.fluid_viscosity);
+      push = sc_add(sc_add_scaled(push, rate, slip), field[i].acceleration);
+    }
+    sample.force[4 * i] += p.mass[i] * push.x;
+    sample.force[4 * i + 1] += p.mass[i] * push.y;
+    sample.force[4 * i + 2] += p.mass[i] * push.z;
+  });
+}
+
 }  // namespace
 
 StoredEnergy stored_energy(const ParticleSystem& s) {
@@ -77,8 +98,8 @@ StoredEnergy stored_energy(const ParticleSystem& s) {
   for (std::size_t c = 0; c < pairs.count; ++c) {
     if (!s.contacts.active[c]) continue;
     const sc_pair_law& law = s.materials.pair(p.material[pairs.owner[c]], p.material[pairs.partner[c]]);
-    part[omp_get_thread_num()].add(
-        sc_contact_energy_of(s.laws, law, touch_of_pair(s, c), state_of(s.contacts.active, s.contacts.slide, s.contacts.roll, c)));
+    part[omp_get_thread_num()].add(sc_contact_energy_of(
+        s.laws, law, touch_of_pair(s, c), state_of(s.contacts.active, s.contacts.slide, s.contacts.roll, c)));
   }
   const WallContacts& walls = s.wall_contacts;
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -107,6 +128,7 @@ void take_sample(const ParticleSystem& system, ContactLists& lists, sc_move move
   SweepView view = view_of(out.system, lists, move, time, field);
   view.force = out.force.data();
   out.findings = sweep(lists.kernels, view, lists.plan);
+  add_outside_forces(out, move, field);
   out.stored = stored_energy(out.system);
 }
 

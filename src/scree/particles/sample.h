@@ -17,7 +17,7 @@ struct StoredEnergy {
 /// very pass that would make the next step, without a drift.
 struct Sample {
   ParticleSystem system;
-  Buffer<double> force;  // [n][4]: total contact force x y z on each particle [N]
+  Buffer<double> force;  // [n][4]: total force of contacts, fields and drag x y z on each particle [N]
   StoredEnergy stored;
   SweepFindings findings;
 };
