@@ -13,7 +13,7 @@
 namespace scree {
 
 /// Largest number of candidates in a tile, unless one particle alone owns more.
-inline constexpr std::int32_t tile_size = 128;
+inline constexpr std::int32_t tile_size = 96;
 
 /// What the list of contacts says of one in a byte: bit 0, it acted at the last evaluation; bit 1, it slid then.
 constexpr std::uint8_t contact_code(bool acted, bool slid) {
