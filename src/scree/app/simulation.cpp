@@ -41,7 +41,7 @@ void Simulation::advance_particles() {
   const Stopwatch watch(stages_, "contacts and motion");
   const sc_field* field = act_locally(fields_) ? field_.data() : nullptr;
   const SweepView view = view_of(system_, lists_, move_now(), contact_time_now(), field);
-  findings_ = sweep(lists_.kernels, view, lists_.plan);
+  findings_ = agree(ranks_, sweep(lists_.kernels, view, lists_.plan));
   tally_.contacts += findings_.contacts;
   tally_.impacts += findings_.impacts;
   tally_.impact_speed += findings_.impact_speed;

@@ -10,6 +10,7 @@
 #include "scree/app/prescribed.h"
 #include "scree/base/stopwatch.h"
 #include "scree/input/case.h"
+#include "scree/mpi/ranks.h"
 #include "scree/output/archive.h"
 #include "scree/particles/sample.h"
 
@@ -74,6 +75,7 @@ class Simulation {
 
   Case case_;
   int threads_;
+  Ranks ranks_;
   ParticleSystem system_;
   Fields fields_;
   std::vector<PrescribedGroup> prescribed_;

@@ -114,10 +114,11 @@ const Section& contact_section() {
            "sliding: Coulomb friction only; step_spring: spring stretched by one time step's sliding; "
            "collision_spring, collision_spring_damped: spring stretched by the velocity times the duration of the "
            "collision, without and with a dashpot; history: spring with memory; mindlin: the same with Mindlin's "
-           "stiffness, in increments so that it never gains energy; mindlin_stretch: Mindlin's stiffness times the whole "
+           "stiffness, in increments so that it never gains energy; mindlin_stretch: Mindlin's stiffness times the "
+           "whole "
            "stretch, as many codes have it")
-           .one_of({"none", "sliding", "step_spring", "collision_spring", "collision_spring_damped", "history", "mindlin",
-                    "mindlin_stretch"})
+           .one_of({"none", "sliding", "step_spring", "collision_spring", "collision_spring_damped", "history",
+                    "mindlin", "mindlin_stretch"})
            .defaults_to("history; mindlin with normal = 'hertz'"),
        law("rolling", &sc_laws::rolling, "spring: spring, dashpot and slider that resist rolling")
            .one_of({"none", "spring"}),

@@ -103,7 +103,8 @@ struct Columns {
 [[gnu::always_inline]] inline void pack_numbers(std::int32_t* to, std::int32_t first, unsigned bits) {
 #ifdef __AVX512DQ__
   const __m256i numbers = _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), numbers));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                      _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), numbers));
 #else
   for (int l = 0; l < 8; ++l) {
     *to = first + l;

@@ -96,4 +96,16 @@ SweepFindings sweep(const SweepKernels& kernels, const SweepView& view, const Sw
   return all;
 }
 
+SweepFindings agree(const Ranks& ranks, const SweepFindings& mine) {
+  SweepFindings all;
+  all.fastest2 = ranks.largest(mine.fastest2);
+  all.deepest = ranks.largest(mine.deepest);
+  all.contacts = ranks.total(mine.contacts);
+  all.impacts = ranks.total(mine.impacts);
+  all.impact_speed = ranks.total(mine.impact_speed);
+  all.sound = ranks.all(mine.sound);
+  all.inside = ranks.all(mine.inside);
+  return all;
+}
+
 }  // namespace scree

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scree/compute/buffer.h"
+#include "scree/mpi/ranks.h"
 #include "scree/particles/contacts.h"
 #include "scree/particles/sweep_view.h"
 
@@ -18,5 +19,8 @@ struct SweepSlots {
 
 /// Runs the pass that `view` describes as `plan` says, with one thread per range.
 SweepFindings sweep(const SweepKernels& kernels, const SweepView& view, const SweepPlan& plan);
+
+/// What all ranks together have found.
+SweepFindings agree(const Ranks& ranks, const SweepFindings& mine);
 
 }  // namespace scree

@@ -20,8 +20,8 @@ struct alignas(64) Batch {
   double sx[batch_room], sy[batch_room], sz[batch_room], ir[batch_room];
   double qx[batch_room], qy[batch_room], qz[batch_room], qv[batch_room];  // slide, approach
   double acted[batch_room], slid[batch_room];
-  double wx[batch_room], wy[batch_room], wz[batch_room];                    // spin difference, rolling laws only
-  double px[batch_room], py[batch_room], pz[batch_room], twist[batch_room]; // roll
+  double wx[batch_room], wy[batch_room], wz[batch_room];                     // spin difference, rolling laws only
+  double px[batch_room], py[batch_room], pz[batch_room], twist[batch_room];  // roll
   double excess[batch_room];
   std::int32_t pair_law[batch_room];
   // results

@@ -51,8 +51,7 @@ constexpr std::int32_t prefetch_distance = 64;
     const lane8 range = d.w + v.margin;
     const unsigned there = end - c < 8 ? (1u << (end - c)) - 1 : 255u;
     // A contact that acted is looked at once more when it has parted: the break of a bond costs energy.
-    const unsigned acts =
-        (bits_of(d.x * d.x + d.y * d.y + d.z * d.z < range * range) | bits_of(v.active + c)) & there;
+    const unsigned acts = (bits_of(d.x * d.x + d.y * d.y + d.z * d.z < range * range) | bits_of(v.active + c)) & there;
     pack(b.bx + near, d.x, acts);
     pack(b.by + near, d.y, acts);
     pack(b.bz + near, d.z, acts);
@@ -84,7 +83,8 @@ constexpr std::int32_t prefetch_distance = 64;
   store8(w + k, c.w);
 }
 
-/// Brings the states of the contacts in `which` side by side. Rounds `near` up to whole vectors with copies of the first.
+/// Brings the states of the contacts in `which` side by side. Rounds `near` up to whole vectors with copies of the
+/// first.
 template <bool OneMaterial>
 [[gnu::always_inline]] inline void load(const SweepView& v, const sc_laws laws, Batch& b, int near) {
   static constexpr double acted[4] = {0, 1, 0, 1}, slid[4] = {0, 0, 0, 1};  // by contact_code()

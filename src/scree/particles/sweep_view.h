@@ -20,8 +20,8 @@ constexpr std::uint8_t contact_code(bool acted, bool slid) {
   return static_cast<std::uint8_t>(acted ? 1 + 2 * static_cast<int>(slid) : 0);
 }
 
-/// Contacts with walls: those of particle p are first[p] ... first[p + 1] - 1, in the order of walls. They are evaluated
-/// one by one and added after the contacts with particles.
+/// Contacts with walls: those of particle p are first[p] ... first[p + 1] - 1, in the order of walls. They are
+/// evaluated one by one and added after the contacts with particles.
 struct WallView {
   const std::int32_t* first;
   const std::int32_t* wall;
@@ -37,11 +37,11 @@ struct SweepView {
   double* spin;                 // [n][4]
   const double* effect_excess;  // [n]
   const std::int32_t* material;
-  std::int32_t* image;          // [n][4]
-  double* loss;                 // [n][4]
-  double* work;                 // [n][4]
-  double* impulse;              // [n][4]
-  double* angular_impulse;      // [n][4]
+  std::int32_t* image;      // [n][4]
+  double* loss;             // [n][4]
+  double* work;             // [n][4]
+  double* impulse;          // [n][4]
+  double* angular_impulse;  // [n][4]
   // pairs
   const std::int32_t* first;
   const std::int32_t* owner;
@@ -62,15 +62,15 @@ struct SweepView {
   const sc_pair_law* law;  // [materials][materials]
   int materials;
   sc_contact_time time;
-  double margin;  // how far apart bodies may be and still act on each other [m]
+  double margin;                     // how far apart bodies may be and still act on each other [m]
   double period[4], half_period[4];  // a fourth, neutral entry fills the vector
   // motion
   sc_move move;
-  const sc_field* field;  // [n] or null: body acceleration and fluid velocity at each particle
-  double* force;          // [n][4] or null: total contact force on each particle, written
-  bool others;            // fields, rotation of the frame, or an account of gravity: no particle moves freely
-  bool book_gravity;      // book the angular impulse of uniform gravity (its work and impulse are known without)
-  double low[3], high[3]; // the domain
+  const sc_field* field;   // [n] or null: body acceleration and fluid velocity at each particle
+  double* force;           // [n][4] or null: total contact force on each particle, written
+  bool others;             // fields, rotation of the frame, or an account of gravity: no particle moves freely
+  bool book_gravity;       // book the angular impulse of uniform gravity (its work and impulse are known without)
+  double low[3], high[3];  // the domain
 };
 
 /// Measured speeds are summed as integers, so that the sum does not depend on the order.
@@ -78,13 +78,13 @@ inline constexpr double speed_quantum = 0x1p-40;  // [m/s]
 
 /// What a pass found out, for the guards and the series.
 struct SweepFindings {
-  double fastest2 = 0;              // largest speed squared [m2/s2]
-  double deepest = 0;               // largest overlap over twice the effective radius [-]
-  std::int64_t contacts = 0;        // pairs and walls that acted
-  std::int64_t impacts = 0;         // pairs that began to act
-  std::int64_t impact_speed = 0;    // sum of their approach speeds [speed_quantum]
-  bool sound = true;                // all speeds are numbers
-  bool inside = true;               // nobody has left the domain
+  double fastest2 = 0;            // largest speed squared [m2/s2]
+  double deepest = 0;             // largest overlap over twice the effective radius [-]
+  std::int64_t contacts = 0;      // pairs and walls that acted
+  std::int64_t impacts = 0;       // pairs that began to act
+  std::int64_t impact_speed = 0;  // sum of their approach speeds [speed_quantum]
+  bool sound = true;              // all speeds are numbers
+  bool inside = true;             // nobody has left the domain
 };
 
 /// One thread's part of a pass: all pairs of the owners in tiles [0, count), then the motion of those particles that

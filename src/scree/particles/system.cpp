@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scree/base/audit.h"
+#include "scree/particles/audit.h"
 #include "scree/particles/neighbours.h"
 #include "scree/physics/contact/cohesion/jkr.h"
 
@@ -118,6 +120,7 @@ bool refresh_lists(ParticleSystem& s, ContactLists& lists, int threads) {
   }
   if (lists.adapts) adapt_skin(lists, s);
   make_lists(s, lists, threads);
+  if constexpr (auditing) audit_lists(s, lists);
   lists.travelled = 0;
   lists.passes = 0;
   ++lists.rebuilds;

@@ -55,7 +55,7 @@ SC_FN sc_spring_action sc_pull_spring(sc_spring s, sc_contact_time time) {
   out.slides = size > s.sticking;
   const real share = out.slides ? s.sliding / size : R(1);
   out.force = sc_scale(-share, pull);
-  out.stretch = sc_scale(s.sticking > R(0) ? share : R(0), trial);  // what cannot hold does not stretch
+  out.stretch = sc_scale(s.sticking > R(0) ? share : R(0), trial);      // what cannot hold does not stretch
   const sc_vec forces = sc_add_scaled(out.stretch, s.hold, s.stretch);  // before and after, over the stiffness
   const real gain = sc_dot(out.stretch, out.stretch) - s.hold * sc_dot(s.stretch, s.stretch);
   const real spring_loss = R(0.5) * s.stiffness * (sc_dot(forces, motion) - gain);

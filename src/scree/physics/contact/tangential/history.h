@@ -21,7 +21,7 @@ SC_FN sc_spring sc_tangential_history(int grows, sc_pair_law p, sc_touch t, real
   out.mass = share * t.mass;
   out.stiffness = sc_tangential_stiffness(grows, p, area_radius);
   const real root = grows ? SC_SQRT(R(8) * share * p.shear) * SC_SQRT(area_radius * t.mass)
-                            : SC_SQRT(share * p.tangential_stiffness * t.mass);
+                          : SC_SQRT(share * p.tangential_stiffness * t.mass);
   const real damping = R(2) * p.tangential_damping * root;
   out.damping = m.weight * damping;
   // Its mean since the last evaluation; damping goes with the root of the stiffness.
