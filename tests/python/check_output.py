@@ -124,8 +124,12 @@ def main(directory, document_path):
     expect(len(frames) > 0, "there are no frames")
     check_fields(directory, frames)
     check_table(directory, "series.csv", document)
-    if os.path.exists(os.path.join(directory, "tracks.csv")):
-        check_table(directory, "tracks.csv", document)
+    for name in ("tracks.csv", "agglomerates.csv"):
+        if os.path.exists(os.path.join(directory, name)):
+            check_table(directory, name, document)
+    listed = re.findall(r"^\| `([^`/]+)", document.split("\n## ")[0], re.MULTILINE)
+    for name in os.listdir(directory):
+        expect(name in listed or name.endswith(".png"), f"{name} is not in the list of files")
     with open(os.path.join(directory, "summary.json")) as file:
         summary = json.load(file)
     schema = json.loads(code_blocks(document, "json-schema")[0])
