@@ -12,13 +12,13 @@
 namespace scree {
 
 /// The candidate pairs with their memory. Directions are those from the owner to the partner; swapping the two changes
-/// every sign and no magnitude, so the bits do not depend on who is stored first. The twist about the normal is the same
-/// from either side, since spin and normal both change sign.
+/// every sign and no magnitude, so the bits do not depend on who is stored first. The twist about the normal is the
+/// same from either side, since spin and normal both change sign.
 struct PairContacts {
   Candidates pairs;
   Buffer<std::uint8_t> active;  // contact_code() of the last evaluation
   Buffer<double> slide;         // [pairs][4]: stretch of the tangential spring x y z, approach velocity
-  Buffer<double> roll;          // [pairs][4]: stretch of the rolling spring x y z, of the twisting spring; empty if unused
+  Buffer<double> roll;  // [pairs][4]: stretch of the rolling spring x y z, of the twisting spring; empty if unused
   bool remembers_rolling = false;
 };
 
@@ -32,9 +32,9 @@ inline constexpr std::uint32_t gather_entry(std::int32_t slot, bool is_partner) 
 
 /// A contiguous range of particles that one thread sweeps, in tiles of whole owners.
 struct SweepRange {
-  std::int32_t begin = 0, end = 0;          // particles
-  std::vector<std::int32_t> tiles;          // first particle of each tile, and the end
-  std::vector<std::int32_t> deferred;       // particles with pairs owned by another range: they move after a barrier
+  std::int32_t begin = 0, end = 0;     // particles
+  std::vector<std::int32_t> tiles;     // first particle of each tile, and the end
+  std::vector<std::int32_t> deferred;  // particles with pairs owned by another range: they move after a barrier
 };
 
 /// How one pass over all contacts goes: each pair writes its force into a slot; each particle sums its slots in the
@@ -43,11 +43,11 @@ struct SweepRange {
 /// A slot is free again once both partners have been moved, so that the slots in use stay in cache.
 struct SweepPlan {
   std::vector<SweepRange> ranges;
-  Buffer<std::int32_t> slot;            // [pairs]
-  Buffer<std::int32_t> gather_first;    // [particles + 1]
-  Buffer<std::uint32_t> gather;         // gather_entry
-  Buffer<std::uint8_t> deferred;        // [particles]
-  std::int32_t slots = 0;               // in all
+  Buffer<std::int32_t> slot;          // [pairs]
+  Buffer<std::int32_t> gather_first;  // [particles + 1]
+  Buffer<std::uint32_t> gather;       // gather_entry
+  Buffer<std::uint8_t> deferred;      // [particles]
+  std::int32_t slots = 0;             // in all
 };
 
 /// Memory of one candidate pair: who takes part, what it remembers, its slot and its two gather entries [bytes].

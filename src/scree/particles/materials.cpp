@@ -47,8 +47,8 @@ bool uses_moduli(const sc_laws& laws) {
 }
 
 bool uses_springs(const sc_laws& laws) {
-  const bool tangential_spring = laws.tangential != SC_TANGENTIAL_NONE && laws.tangential != SC_TANGENTIAL_SLIDING &&
-                                 !sc_tangential_grows(laws);
+  const bool tangential_spring =
+      laws.tangential != SC_TANGENTIAL_NONE && laws.tangential != SC_TANGENTIAL_SLIDING && !sc_tangential_grows(laws);
   return laws.normal != SC_NORMAL_HERTZ || tangential_spring;
 }
 
