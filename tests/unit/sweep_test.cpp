@@ -317,5 +317,54 @@ TEST(Sweep, TakesMoreContactsOfOneBodyThanATileHolds) {
   }
 }
 
+TEST(Sweep, KeepsNecksThatAreLongerThanTheSkin) {
+  // The pellets have effect surfaces, which JKR does not read; the grains have none.
+  const LawChoice jkr = {"", "normal = \"hertz\"\ntangential = \"mindlin\"\ncohesion = \"jkr\"\n",
+                         "friction = 0.5\nadhesion = 30\n", true};
+  Case c = case_of(crowd_text(jkr, 60, 0.024), {"particles.grains.effect_gap=0", "particles.pellets.effect_gap=3e-4"});
+  c.simulation.skin = 1e-6;
+  expect_equal_in_every_way(c, 400, 2);
+}
+
+TEST(Sweep, MissesNoContactAfterAStepWhoseSpeedIsGoneAtItsEnd) {
+  // Syrup stops the sphere within its first step, but the trapezoidal rule has carried it by half a step of its speed.
+  const std::string text = R"(
+[simulation]
+end = 1
+time_step = 1e-5
+integrator = "implicit"
+skin = 1e-7
+[domain]
+min = [0, 0, 0]
+max = [1, 1, 1]
+[flow]
+type = "still"
+drag = "stokes"
+density = 1
+viscosity = 1e7
+[[materials]]
+name = "glass"
+density = 2500
+stiffness = 1000
+[[particles]]
+material = "glass"
+diameter = 0.01
+insert = "positions"
+positions = [[0.5, 0.5, 0.5]]
+[[particles]]
+material = "glass"
+diameter = 0.01
+insert = "positions"
+positions = [[0.510001, 0.5, 0.5]]
+velocity = [-1, 0, 0]
+)";
+  Simulation s(case_of(text), 1);
+  s.step();
+  EXPECT_EQ(s.findings().contacts, 0);
+  EXPECT_LT(std::sqrt(s.findings().fastest2) * s.clock().dt, 1e-8);
+  s.step();
+  EXPECT_EQ(s.findings().contacts, 1);
+}
+
 }  // namespace
 }  // namespace scree

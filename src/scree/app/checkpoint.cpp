@@ -259,6 +259,7 @@ void Simulation::restore(const Archive& archive) {
   system_.wall_contacts = walls_of(archive.get<std::int64_t>("wall_ids", 2), archive.get<double>("wall_memory", 9),
                                    system_.particles, system_.walls.size());
   lists_ = prepare_lists(system_, case_.simulation.skin);
+  findings_.fastest2 = fastest_square(system_.particles);
   sampled_step_ = -1;
 }
 

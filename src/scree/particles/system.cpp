@@ -83,7 +83,8 @@ void make_lists(ParticleSystem& s, ContactLists& lists, int threads) {
   p.permute(order);
   std::vector<std::int32_t> place(n);
   for (std::size_t i = 0; i < n; ++i) place[order[i]] = static_cast<std::int32_t>(i);
-  const double reach = lists.skin + lists.margin - 2 * largest_effect_excess(p);
+  // Searches look from effect surface to effect surface; necks, which know nothing of these, reach beyond.
+  const double reach = lists.skin + longest_neck(s);
   s.contacts = carry_over(find_candidates(p, s.domain, reach), s.contacts, place);
   WallContacts walls = find_wall_contacts(p, s.walls, reach);
   carry_over(walls, s.wall_contacts, place);
@@ -96,6 +97,15 @@ void make_lists(ParticleSystem& s, ContactLists& lists, int threads) {
 }
 
 }  // namespace
+
+double fastest_square(const Particles& p) {
+  double fastest2 = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double* v = p.motion.row(i) + lane::vx;
+    fastest2 = std::max(fastest2, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  }
+  return fastest2;
+}
 
 double reach_beyond_bodies(const ParticleSystem& s) {
   return s.laws.cohesion == SC_COHESION_LINEAR ? 2 * largest_effect_excess(s.particles) : longest_neck(s);

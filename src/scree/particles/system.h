@@ -53,6 +53,9 @@ void note_travel(ContactLists& lists, double distance);
 SweepView view_of(ParticleSystem& system, ContactLists& lists, const sc_move& move, const sc_contact_time& time,
                   const sc_field* field);
 
+/// The square of the largest speed of all particles [m2/s2].
+double fastest_square(const Particles& particles);
+
 /// Longest range of interaction between two particle surfaces of the system's bodies, beyond their bodies [m].
 double reach_beyond_bodies(const ParticleSystem& system);
 
