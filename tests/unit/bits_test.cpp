@@ -21,15 +21,15 @@ time_step = 5e-6
 max_overlap = 0.9
 [domain]
 min = [0, 0, 0]
-max = ["1.5 mm", "1.5 mm", "1.5 mm"]
+max = ["1.25 mm", "1.25 mm", "1.25 mm"]
 periodic = [true, true, true]
 [flow]
 type = "taylor_green"
 amplitude = "0.3 m/s"
-wavenumber = 4188.790204786391
+wavenumber = 5026.548245743669
 density = 1.2
 viscosity = 1.8e-5
-drag = "schiller_naumann"
+drag = "stokes"
 [contact]
 cohesion = "linear"
 [[materials]]
@@ -45,7 +45,7 @@ material = "powder"
 diameter = { distribution = "uniform", min = "0.08 mm", max = "0.13 mm" }
 effect_gap = "10 um"
 insert = "random"
-count = 350
+count = 220
 velocity = { type = "fluid" }
 )";
 
