@@ -1,20 +1,24 @@
-// `scree bench`: particle-steps per second on two fixed scenes, beside what the machine's memory could do.
+// `scree bench`: how fast the program is on fixed scenes, and how its run time grows with the number of particles.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace scree {
 
 struct BenchOptions {
-  std::vector<std::string> names;  // dense, dilute; empty: both
-  int threads = 0;                 // 0: with one thread and with all
-  std::string json;                // file for the figures; empty: none
-  std::string packings;            // where the scenes' particles are kept; empty: the cache directory of the user
+  std::vector<std::string> names;    // dense, dilute, linear; empty: dense and dilute
+  int threads = 0;                   // 0: with one thread and with all
+  int rounds = 0;                    // measurements of which the median counts; 0: 5, of linear 3
+  std::int64_t particles = 1000000;  // linear: the largest size
+  std::string json;                  // file for the figures; empty: none
+  std::string plot;                  // linear: file for the picture (PNG; its figures beside it); empty: none
+  std::string packings;              // where the scenes' particles are kept; empty: the cache directory of the user
 };
 
-/// Runs the scenes and prints their figures. The particles of a scene are made when it is run for the first time.
-/// Returns the exit code.
+/// Runs the benchmarks and prints their figures. The particles of a scene are made when it is run for the first time.
+/// Returns the exit code. Throws InputError for an unknown name, or a picture of what is not measured.
 int bench(const BenchOptions& options);
 
 }  // namespace scree

@@ -91,11 +91,15 @@ Command declare_verify(CLI::App& app) {
 }
 
 Command declare_bench(CLI::App& app) {
-  CLI::App* c = app.add_subcommand("bench", "Measure speed on the benchmark scenes");
+  CLI::App* c = app.add_subcommand("bench", "Measure speed on the benchmark scenes, and how run time grows");
   auto options = std::make_shared<BenchOptions>();
-  c->add_option("names", options->names, "scenes [dense dilute]");
+  c->add_option("names", options->names, "dense, dilute, linear [dense dilute]");
   c->add_option("--threads", options->threads, "threads [1 and all]")->check(CLI::PositiveNumber);
+  c->add_option("--rounds", options->rounds, "measurements of which the median counts [5, linear 3]")
+      ->check(CLI::PositiveNumber);
+  c->add_option("--particles", options->particles, "linear: the largest size [1000000]")->check(CLI::PositiveNumber);
   c->add_option("--json", options->json, "also write the figures to this file");
+  c->add_option("--plot", options->plot, "linear: draw run time over particles into this PNG");
   return {"bench", [=] { return bench(*options); }};
 }
 

@@ -5,12 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <vector>
 
 #include "scree/app/data_files.h"
 #include "scree/base/error.h"
@@ -29,14 +29,17 @@ std::string interpreter() {
   return chosen && *chosen ? chosen : "/usr/bin/python3";
 }
 
-/// Runs `python script directory` with the output of this program, and returns its exit status as waitpid() gives it.
-int run_script(const std::string& python, const std::string& script, const std::string& directory) {
+/// Runs `python script arguments...` with the output of this program; returns its exit status as waitpid() gives it.
+int run_script(const std::string& python, const std::string& script, const std::vector<std::string>& arguments) {
   // -B: leave no compiled copies beside the scripts.
-  std::array<std::string, 4> words{python, "-B", script, directory};
-  std::array<char*, 5> arguments{words[0].data(), words[1].data(), words[2].data(), words[3].data(), nullptr};
+  std::vector<std::string> words{python, "-B", script};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
   std::fflush(nullptr);
   pid_t child = 0;
-  const int failure = posix_spawnp(&child, python.c_str(), nullptr, nullptr, arguments.data(), environ);
+  const int failure = posix_spawnp(&child, python.c_str(), nullptr, nullptr, pointers.data(), environ);
   if (failure != 0) {
     throw ResourceError(
         fmt::format("cannot draw: '{}' does not start ({}); {}", python, std::strerror(failure), needs));
@@ -48,21 +51,31 @@ int run_script(const std::string& python, const std::string& script, const std::
   return status;
 }
 
-void draw(const std::string& name, const std::string& directory) {
+/// Has the script `name` draw what its first argument names.
+void draw(const std::string& name, const std::vector<std::string>& arguments) {
+  const std::string python = interpreter();
+  const int status = run_script(python, (data_directory("share") / name).string(), arguments);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+  throw ResourceError(
+      fmt::format("'{}' could not draw '{}', for the reason above; {}", python, arguments.front(), needs));
+}
+
+void draw_directory(const std::string& name, const std::string& directory) {
   if (!fs::is_directory(directory)) {
     throw InputError(
         fmt::format("cannot draw '{}': there is no such directory; name the directory of a run", directory));
   }
-  const std::string python = interpreter();
-  const int status = run_script(python, (data_directory("share") / name).string(), directory);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-  throw ResourceError(fmt::format("'{}' could not draw '{}', for the reason above; {}", python, directory, needs));
+  draw(name, {directory});
 }
 
 }  // namespace
 
-void plot_run(const std::string& directory) { draw("plot.py", directory); }
+void plot_run(const std::string& directory) { draw_directory("plot.py", directory); }
 
-void plot_verification(const std::string& directory) { draw("verify_plot.py", directory); }
+void plot_verification(const std::string& directory) { draw_directory("verify_plot.py", directory); }
+
+void plot_benchmark(const std::string& figures, const std::string& picture) {
+  draw("bench_plot.py", {figures, picture});
+}
 
 }  // namespace scree

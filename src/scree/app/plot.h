@@ -1,4 +1,4 @@
-// Pictures of a run: Python scripts that come with the program draw them with matplotlib.
+// Pictures of runs and measurements: Python scripts that come with the program draw them with matplotlib.
 #pragma once
 
 #include <string>
@@ -12,5 +12,9 @@ void plot_run(const std::string& directory);
 
 /// Writes DIRECTORY/NN_name/figure.png for every verification case whose figure.json is there; errors as above.
 void plot_verification(const std::string& directory);
+
+/// Draws the run times of `scree bench linear`, from the figures it wrote as JSON, into `picture` (PNG). Throws
+/// ResourceError as above.
+void plot_benchmark(const std::string& figures, const std::string& picture);
 
 }  // namespace scree
