@@ -31,10 +31,24 @@ using mask8 = std::int64_t __attribute__((vector_size(64)));
 [[gnu::always_inline]] inline void store8(double* p, lane8 v) { __builtin_memcpy(p, &v, sizeof v); }
 
 /// Lanes 0 to 2 of `a`, lane 3 of `b`.
-[[gnu::always_inline]] inline lane4 last_of(lane4 a, lane4 b) { return __builtin_shuffle(a, b, mask4{0, 1, 2, 7}); }
+[[gnu::always_inline]] inline lane4 last_of(lane4 a, lane4 b) { return __builtin_shufflevector(a, b, 0, 1, 2, 7); }
 
 [[gnu::always_inline]] inline lane8 join(lane4 a, lane4 b) {
   return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+// The steps of a transposition: even or odd lanes of both in turn; first or second halves of each four.
+[[gnu::always_inline]] inline lane8 even(lane8 a, lane8 b) {
+  return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+}
+[[gnu::always_inline]] inline lane8 odd(lane8 a, lane8 b) {
+  return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+}
+[[gnu::always_inline]] inline lane8 front(lane8 a, lane8 b) {
+  return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+}
+[[gnu::always_inline]] inline lane8 back(lane8 a, lane8 b) {
+  return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
 /// Four columns of eight; the same network transposes in both directions.
@@ -44,29 +58,20 @@ struct Columns {
 
 [[gnu::always_inline]] inline Columns columns_of(const lane4 (&row)[8]) {
   const lane8 a = join(row[0], row[4]), b = join(row[1], row[5]), c = join(row[2], row[6]), d = join(row[3], row[7]);
-  constexpr mask8 low{0, 8, 2, 10, 4, 12, 6, 14}, high{1, 9, 3, 11, 5, 13, 7, 15};
-  constexpr mask8 front{0, 1, 8, 9, 4, 5, 12, 13}, back{2, 3, 10, 11, 6, 7, 14, 15};
-  const lane8 ab0 = __builtin_shuffle(a, b, low), ab1 = __builtin_shuffle(a, b, high);
-  const lane8 cd0 = __builtin_shuffle(c, d, low), cd1 = __builtin_shuffle(c, d, high);
-  return {__builtin_shuffle(ab0, cd0, front), __builtin_shuffle(ab1, cd1, front), __builtin_shuffle(ab0, cd0, back),
-          __builtin_shuffle(ab1, cd1, back)};
+  const lane8 ab0 = even(a, b), ab1 = odd(a, b), cd0 = even(c, d), cd1 = odd(c, d);
+  return {front(ab0, cd0), front(ab1, cd1), back(ab0, cd0), back(ab1, cd1)};
 }
 
 [[gnu::always_inline]] inline void rows_of(const Columns& c, double (&row)[8][4]) {
-  constexpr mask8 low{0, 8, 2, 10, 4, 12, 6, 14}, high{1, 9, 3, 11, 5, 13, 7, 15};
-  constexpr mask8 front{0, 1, 8, 9, 4, 5, 12, 13}, back{2, 3, 10, 11, 6, 7, 14, 15};
-  const lane8 xy0 = __builtin_shuffle(c.x, c.y, low), xy1 = __builtin_shuffle(c.x, c.y, high);
-  const lane8 zw0 = __builtin_shuffle(c.z, c.w, low), zw1 = __builtin_shuffle(c.z, c.w, high);
-  const lane8 rows04 = __builtin_shuffle(xy0, zw0, front), rows26 = __builtin_shuffle(xy0, zw0, back);
-  const lane8 rows15 = __builtin_shuffle(xy1, zw1, front), rows37 = __builtin_shuffle(xy1, zw1, back);
+  const lane8 xy0 = even(c.x, c.y), xy1 = odd(c.x, c.y), zw0 = even(c.z, c.w), zw1 = odd(c.z, c.w);
   const auto put = [&row](int a, int b, lane8 v) {
     store4(row[a], __builtin_shufflevector(v, v, 0, 1, 2, 3));
     store4(row[b], __builtin_shufflevector(v, v, 4, 5, 6, 7));
   };
-  put(0, 4, rows04);
-  put(1, 5, rows15);
-  put(2, 6, rows26);
-  put(3, 7, rows37);
+  put(0, 4, front(xy0, zw0));
+  put(1, 5, front(xy1, zw1));
+  put(2, 6, back(xy0, zw0));
+  put(3, 7, back(xy1, zw1));
 }
 
 /// One bit per lane of a comparison's result.
