@@ -71,13 +71,17 @@ void Outputs::write_due(Simulation& simulation) {
   if (clock.step >= checkpoint_due_) write_checkpoint(simulation);
 }
 
-void Outputs::enter_books(Simulation& simulation) {
-  const Clock& clock = simulation.clock();
-  measured_ = measure(simulation.sample(), simulation.fields(), clock.now());
+void Outputs::take_stock(Simulation& simulation) {
+  measured_ = measure(simulation.sample(), simulation.fields(), simulation.clock().now());
   leave_out(measured_, case_.ledger.omit);
   if (!books_) books_ = open_books(measured_);
-  enter(*books_, measured_);
   row_ = scree::balance(*books_, measured_, simulation.system().domain.any_periodic());
+}
+
+void Outputs::enter_books(Simulation& simulation) {
+  const Clock& clock = simulation.clock();
+  take_stock(simulation);
+  enter(*books_, measured_);
   if (case_.ledger.energy_tolerance > 0) check_books(*books_, measured_, case_.ledger.energy_tolerance, clock.now());
 }
 
@@ -86,6 +90,11 @@ void Outputs::write_row(Simulation& simulation) {
   row_due_ = next_due(clock.step, series_interval_, clock.dt);
   if (row_step_ == clock.step) return;
   enter_books(simulation);
+  append_row(simulation);
+}
+
+void Outputs::append_row(Simulation& simulation) {
+  const Clock& clock = simulation.clock();
   const Stopwatch watch(simulation.stages(), "output");
   const Sample& sample = simulation.sample();
   const Tally& tally = simulation.tally();
@@ -163,7 +172,9 @@ std::string Outputs::write_last_good() const {
 }
 
 void Outputs::finish(Simulation& simulation) {
-  write_row(simulation);
+  take_stock(simulation);
+  // A row that is not due is no entry in the books: a run that continues from here would otherwise differ by it.
+  if (row_step_ != simulation.clock().step) append_row(simulation);
   write_frame(simulation);
   write_checkpoint(simulation);
 }

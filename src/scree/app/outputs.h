@@ -47,8 +47,10 @@ class Outputs {
   bool agglomerated() const { return agglomerated_; }
 
  private:
+  void take_stock(Simulation& simulation);
   void enter_books(Simulation& simulation);
   void write_row(Simulation& simulation);
+  void append_row(Simulation& simulation);
   void write_tracks(const Sample& sample, double time);
   void write_frame(Simulation& simulation);
   void save_books(Archive& archive) const;
