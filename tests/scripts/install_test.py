@@ -43,8 +43,9 @@ class Installed(unittest.TestCase):
         self.assertTrue((self.work / "book" / "verify.json").exists())
 
     def test_it_brings_scenes_and_papers(self):
-        for pattern in ("share/scree/bench/dense.toml", "share/scree/verify/01_drag/case.toml", "share/doc/*/LICENSE",
-                        "share/doc/*/THIRD_PARTY.md", "share/doc/*/docs/files.md"):
+        for pattern in ("share/scree/bench/dense.toml", "share/scree/examples/*/README.md", "share/scree/share/plot.py",
+                        "share/scree/verify/01_drag/case.toml", "share/doc/*/LICENSE", "share/doc/*/THIRD_PARTY.md",
+                        "share/doc/*/docs/files.md"):
             self.assertTrue(list(self.prefix.glob(pattern)), pattern)
         self.assertFalse(list(self.prefix.rglob("packings")))
 
