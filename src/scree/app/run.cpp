@@ -108,11 +108,24 @@ int available_processors() {
   return omp_get_num_procs();
 }
 
+namespace {
+
+/// Threads asked for, or the processors at hand. More than a few per processor can only be a mistake.
+int threads_of(const RunOptions& options) {
+  const int processors = available_processors(), most = std::max(64, 4 * processors);
+  if (options.threads > most)
+    throw InputError(fmt::format("--threads {}: this process may use {} processors; give at most {}", options.threads,
+                                 processors, most));
+  return options.threads > 0 ? options.threads : processors;
+}
+
+}  // namespace
+
 RunResult run_case(const Case& given, const RunOptions& options) {
   const auto begin = WallClock::now();
   Case c = given;
   if (options.until) c.simulation.end = *options.until;
-  const int threads = options.threads > 0 ? options.threads : available_processors();
+  const int threads = threads_of(options);
   omp_set_num_threads(threads);
   std::optional<Archive> archive;
   if (!options.restart.empty()) archive = read_archive(options.restart);
