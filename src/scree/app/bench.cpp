@@ -62,7 +62,9 @@ void measure(const std::string& name, const std::vector<int>& threads, const Ben
     }
     return;
   }
-  const std::string packing = make_packing(name, options.packings.empty() ? cache_directory() : options.packings);
+  // Absolute: file names in a case are relative to the case.
+  const fs::path packings = options.packings.empty() ? cache_directory() : options.packings;
+  const std::string packing = make_packing(name, fs::absolute(packings).string());
   for (const int t : threads) {
     const SceneFigures f = measure_scene(name, packing, t, rounds);
     fmt::print("{}", scene_text(f));

@@ -21,7 +21,7 @@ namespace {
 constexpr std::int64_t smallest = 10000;                // particles in bench/linear.toml
 constexpr std::array<int, 5> sizes{1, 3, 10, 30, 100};  // copies of it
 // A list of candidates lasts for some 30 steps: every round has its share of making them.
-constexpr int warm_steps = 30, round_steps = 50;
+constexpr int warm_steps = 20, round_steps = 40;
 
 /// The case with its box repeated: as many vortices per particle, each of the same size.
 Case enlarged_case(int copies) {

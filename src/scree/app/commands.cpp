@@ -99,6 +99,7 @@ Command declare_bench(CLI::App& app) {
       ->check(CLI::PositiveNumber);
   c->add_option("--particles", options->particles, "linear: the largest size [1000000]")->check(CLI::PositiveNumber);
   c->add_option("--json", options->json, "also write the figures to this file");
+  c->add_option("--packings", options->packings, "directory of the particle tables [the user's cache]");
   c->add_option("--plot", options->plot, "linear: draw run time over particles into this PNG");
   return {"bench", [=] { return bench(*options); }};
 }
