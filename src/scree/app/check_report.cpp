@@ -149,7 +149,7 @@ std::string word(Verdict verdict) {
 
 }  // namespace
 
-std::string check_report(const Case& c, const Derived& d) {
+std::string check_report(const Case& c, const Derived& d, const std::string& refusal) {
   Lines lines;
   say_particles(d, lines);
   say_step(c, d.step, lines);
@@ -165,6 +165,7 @@ std::string check_report(const Case& c, const Derived& d) {
     if (line.verdict >= Verdict::warning) text += fmt::format("           {:{}}  = help: {}\n", "", width, line.remedy);
     worst = std::max(worst, line.verdict);
   }
+  if (!refusal.empty()) return fmt::format("{}\nThe case would be refused:\n{}\n", text, refusal);
   return text + (worst == Verdict::refused   ? "\nThe case would be refused.\n"
                  : worst == Verdict::warning ? "\nThe case can be run; mind the warnings.\n"
                                              : "\nThe case can be run.\n");

@@ -12,6 +12,7 @@
 #include "scree/app/info.h"
 #include "scree/app/plot.h"
 #include "scree/app/run.h"
+#include "scree/app/simulation.h"
 #include "scree/app/verify.h"
 #include "scree/input/explain.h"
 #include "scree/input/load.h"
@@ -40,6 +41,16 @@ struct CaseArguments {
     command.add_option("--set", set, "change a key: --set simulation.end=0.5 (may be repeated)");
   }
 };
+
+/// Why a run of the case would end before it begins; empty if it would not. Builds the initial state to find out.
+std::string refusal_of(const Case& c) {
+  try {
+    const Simulation simulation(c, 1);
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
 
 Command declare_run(CLI::App& app) {
   CLI::App* c = app.add_subcommand("run", "Run a case");
@@ -72,8 +83,9 @@ Command declare_check(CLI::App& app) {
   arguments->declare(*c);
   return {"check", [=] {
             const Case loaded = load_case(arguments->file, arguments->set);
-            print(check_report(loaded, derive(loaded)));
-            return 0;
+            const std::string refusal = refusal_of(loaded);
+            print(check_report(loaded, derive(loaded), refusal));
+            return static_cast<int>(refusal.empty() ? Exit::success : Exit::input);
           }};
 }
 

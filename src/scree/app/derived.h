@@ -84,6 +84,7 @@ double time_step_of(const Case& c, const Materials& materials);
 std::optional<CohesiveImpact> typical_impact(const Case& c, const Materials& materials);
 
 /// The text of `scree check`: every number with a verdict (ok, warning, refused) and a remedy where it is not ok.
-std::string check_report(const Case& c, const Derived& derived);
+/// `refusal` is why the initial state cannot be built, if it cannot.
+std::string check_report(const Case& c, const Derived& derived, const std::string& refusal = {});
 
 }  // namespace scree

@@ -30,11 +30,9 @@ std::int64_t next_due(std::int64_t step, double interval, double dt) {
   return due;
 }
 
-Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& clock, std::int64_t end_step,
-                 const Archive* archive)
-    : case_(c), directory_(directory), end_step_(end_step) {
-  const double run = static_cast<double>(end_step) * clock.dt;
-  series_interval_ = c.output.series > 0 ? c.output.series : run / 200;
+Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& clock, const Archive* archive)
+    : case_(c), directory_(directory) {
+  series_interval_ = c.output.series > 0 ? c.output.series : c.simulation.end / 200;
   const bool agglomerates = c.analysis.agglomerates;
   const Domain domain = build_domain(c);
   const double now = clock.now();
@@ -169,6 +167,11 @@ std::string Outputs::write_last_good() const {
   write_archive(path, *last_good_);
   directory_.prune_checkpoints();
   return path.string();
+}
+
+std::string Outputs::latest_checkpoint() const {
+  return checkpoint_step_ < 0 ? std::string()
+                              : directory_.checkpoint(static_cast<std::uint64_t>(checkpoint_step_)).string();
 }
 
 void Outputs::finish(Simulation& simulation) {

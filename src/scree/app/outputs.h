@@ -21,10 +21,9 @@ std::int64_t next_due(std::int64_t step, double interval, double dt);
 
 class Outputs {
  public:
-  /// Opens the files of a run that ends at `end_step`. With `archive` the run continues from it: later rows and frames
+  /// Opens the files of a run. With `archive` the run continues from it: later rows and frames
   /// are dropped.
-  Outputs(const Case& c, const RunDirectory& directory, const Clock& clock, std::int64_t end_step,
-          const Archive* archive);
+  Outputs(const Case& c, const RunDirectory& directory, const Clock& clock, const Archive* archive);
 
   /// Writes whatever is due at the present step of the simulation. Throws PhysicsError when the books do not close.
   void write_due(Simulation& simulation);
@@ -38,6 +37,9 @@ class Outputs {
 
   /// Row, frame and checkpoint of the present state, due or not, unless they are there already.
   void finish(Simulation& simulation);
+
+  /// The checkpoint that was written last; empty before the first.
+  std::string latest_checkpoint() const;
 
   /// The latest balance of the books.
   const LedgerRow& balance() const { return row_; }
@@ -57,7 +59,6 @@ class Outputs {
 
   Case case_;
   const RunDirectory& directory_;
-  std::int64_t end_step_;
   double series_interval_;
   std::optional<SeriesWriter> series_, tracks_, sizes_;
   std::optional<FrameWriter> frames_;

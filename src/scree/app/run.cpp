@@ -121,10 +121,9 @@ int threads_of(const RunOptions& options) {
 
 }  // namespace
 
-RunResult run_case(const Case& given, const RunOptions& options) {
+RunResult run_case(const Case& c, const RunOptions& options) {
   const auto begin = WallClock::now();
-  Case c = given;
-  if (options.until) c.simulation.end = *options.until;
+  const double end = options.until.value_or(c.simulation.end);
   const int threads = threads_of(options);
   omp_set_num_threads(threads);
   std::optional<Archive> archive;
@@ -147,11 +146,11 @@ RunResult run_case(const Case& given, const RunOptions& options) {
   summary.title = c.simulation.title;
   summary.started = timestamp_now();
   summary.first_step = static_cast<std::uint64_t>(simulation.clock().step);
-  const std::int64_t end_step = steps_until(c.simulation.end, simulation.clock().dt);
-  Outputs outputs(c, directory, simulation.clock(), end_step, archive ? &*archive : nullptr);
+  const std::int64_t end_step = steps_until(end, simulation.clock().dt);
+  Outputs outputs(c, directory, simulation.clock(), archive ? &*archive : nullptr);
   Run run{simulation, outputs, summary, end_step};
   std::optional<Progress> progress;
-  if (!options.quiet) progress.emplace(detect_progress(stderr), simulation.clock().now(), c.simulation.end);
+  if (!options.quiet) progress.emplace(detect_progress(stderr), simulation.clock().now(), end);
   const InterruptGuard interrupt;
   summary.status = "finished";
   try {
@@ -161,6 +160,8 @@ RunResult run_case(const Case& given, const RunOptions& options) {
       result.status = Exit::interrupted;
     }
     outputs.finish(simulation);
+    if (result.status == Exit::interrupted)
+      summary.reason += fmt::format("; the same run goes on from {}", outputs.latest_checkpoint());
   } catch (const PhysicsError& error) {
     summary.status = "failed";
     summary.reason = error.what();
