@@ -83,7 +83,7 @@ run_tests() {
   local preset=$1
   shift
   say "tests of $preset"
-  ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" "$@"
+  ctest --preset "$preset" --no-tests=error -j "$(nproc)" "$@"
 }
 
 # test_build PRESET CTEST_OPTION...

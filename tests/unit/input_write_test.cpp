@@ -26,8 +26,8 @@ std::vector<fs::path> shipped_cases() {
 
 /// The tables of the benchmark scenes are made on demand; any file that is there will do here.
 std::vector<std::string> changes_for(const fs::path& path) {
-  const std::string name = path.filename().string();
-  if (path.parent_path() != source / "bench" || name.starts_with("make_")) return {};
+  const std::string name = path.stem().string();
+  if (path.parent_path() != source / "bench" || (name != "dense" && name != "dilute")) return {};
   return {"particles.0.file=\"" + path.string() + "\""};
 }
 
