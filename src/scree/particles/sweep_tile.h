@@ -44,14 +44,19 @@ constexpr std::int32_t prefetch_distance = 64;
       __builtin_prefetch(v.motion + 8 * ahead);
       __builtin_prefetch(v.spin + 4 * ahead);
     }
-    // Candidates beyond `end` are read (the lists are padded) and dropped below.
-    for (int l = 0; l < 8; ++l)
-      row[l] = branch_of(v, v.motion + std::int64_t{8} * v.owner[c + l], v.motion + std::int64_t{8} * v.partner[c + l]);
+    // The last vector of a tile is filled up with the last candidate: what lies behind may be another thread's.
+    const int count = end - c < 8 ? end - c : 8;
+    std::uint8_t code[8];
+    for (int l = 0; l < 8; ++l) {
+      const std::int32_t k = l < count ? c + l : end - 1;
+      row[l] = branch_of(v, v.motion + std::int64_t{8} * v.owner[k], v.motion + std::int64_t{8} * v.partner[k]);
+      code[l] = v.active[k];
+    }
     const Columns d = columns_of(row);
     const lane8 range = d.w + v.margin;
-    const unsigned there = end - c < 8 ? (1u << (end - c)) - 1 : 255u;
+    const unsigned there = (1u << count) - 1;
     // A contact that acted is looked at once more when it has parted: the break of a bond costs energy.
-    const unsigned acts = (bits_of(d.x * d.x + d.y * d.y + d.z * d.z < range * range) | bits_of(v.active + c)) & there;
+    const unsigned acts = (bits_of(d.x * d.x + d.y * d.y + d.z * d.z < range * range) | bits_of(code)) & there;
     pack(b.bx + near, d.x, acts);
     pack(b.by + near, d.y, acts);
     pack(b.bz + near, d.z, acts);
