@@ -56,9 +56,7 @@ Overlap deepest_pair(const ParticleSystem& s) {
     const double *x = p.motion.row(i), *y = p.motion.row(j);
     double d2 = 0;
     for (int k = 0; k < 3; ++k) {
-      double d = y[k] - x[k];
-      if (d > s.domain.half_period(k)) d -= s.domain.period(k);
-      if (d < -s.domain.half_period(k)) d += s.domain.period(k);
+      const double d = s.domain.nearest(k, y[k] - x[k]);
       d2 += d * d;
     }
     const double overlap = x[lane::radius] + y[lane::radius] - std::sqrt(d2);

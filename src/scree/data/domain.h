@@ -22,6 +22,13 @@ struct Domain {
     return periodic[axis] ? 0.5 * length(axis) : std::numeric_limits<double>::infinity();
   }
 
+  /// A difference of two coordinates along an axis, to the nearest image.
+  double nearest(int axis, double difference) const {
+    if (difference > half_period(axis)) difference -= period(axis);
+    if (difference < -half_period(axis)) difference += period(axis);
+    return difference;
+  }
+
   bool any_periodic() const { return periodic[0] || periodic[1] || periodic[2]; }
 };
 

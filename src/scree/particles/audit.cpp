@@ -11,9 +11,7 @@ namespace {
 double distance2(const ParticleSystem& s, std::size_t i, std::size_t j) {
   double d2 = 0;
   for (int k = 0; k < 3; ++k) {
-    double d = s.particles.motion.row(j)[k] - s.particles.motion.row(i)[k];
-    if (d > s.domain.half_period(k)) d -= s.domain.period(k);
-    if (d < -s.domain.half_period(k)) d += s.domain.period(k);
+    const double d = s.domain.nearest(k, s.particles.motion.row(j)[k] - s.particles.motion.row(i)[k]);
     d2 += d * d;
   }
   return d2;

@@ -29,9 +29,7 @@ inline double wrapped(double x, const Domain& domain, int axis) {
 inline double distance2(const double* a, const double* b, const Domain& domain) {
   double sum = 0;
   for (int k = 0; k < 3; ++k) {
-    double d = b[k] - a[k];
-    if (d > domain.half_period(k)) d -= domain.period(k);
-    if (d < -domain.half_period(k)) d += domain.period(k);
+    const double d = domain.nearest(k, b[k] - a[k]);
     sum += d * d;
   }
   return sum;

@@ -86,9 +86,7 @@ void search(const Particles& p, const Domain& domain, double skin, const Levels&
         const double* xj = p.motion.row(j);
         double d2 = 0;
         for (int a = 0; a < 3; ++a) {
-          double d = xj[a] - xi[a];
-          if (d > domain.half_period(a)) d -= domain.period(a);
-          if (d < -domain.half_period(a)) d += domain.period(a);
+          const double d = domain.nearest(a, xj[a] - xi[a]);
           d2 += d * d;
         }
         const double range = reach_of(p, i) + reach_of(p, j) + skin;

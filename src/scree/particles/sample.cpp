@@ -31,9 +31,7 @@ sc_touch touch_of_pair(const ParticleSystem& s, std::size_t c) {
   const double *a = s.particles.motion.row(i), *b = s.particles.motion.row(j);
   double d[3];
   for (int k = 0; k < 3; ++k) {
-    d[k] = b[k] - a[k];
-    if (d[k] > s.domain.half_period(k)) d[k] -= s.domain.period(k);
-    if (d[k] < -s.domain.half_period(k)) d[k] += s.domain.period(k);
+    d[k] = s.domain.nearest(k, b[k] - a[k]);
   }
   const double *sa = s.particles.spin.row(i), *sb = s.particles.spin.row(j);
   sc_sphere_pair p{};

@@ -47,9 +47,7 @@ double greatest_travel(const Particles& p, const Domain& domain, const Buffer<do
   for (std::int64_t i = 0; i < n; ++i) {
     double d2 = 0;
     for (int k = 0; k < 3; ++k) {
-      double d = p.motion.row(i)[k] - from[3 * i + k];
-      if (d > domain.half_period(k)) d -= domain.period(k);
-      if (d < -domain.half_period(k)) d += domain.period(k);
+      const double d = domain.nearest(k, p.motion.row(i)[k] - from[3 * i + k]);
       d2 += d * d;
     }
     greatest2 = std::max(greatest2, d2);
