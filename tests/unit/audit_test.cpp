@@ -16,12 +16,12 @@ struct Listed {
 /// Lists of a crowd for `threads` threads, after some motion.
 Listed listed(int threads) {
   const test::LawChoice laws{"linear", "normal = \"linear\"\n", "friction = 0.3\n"};
-  Simulation simulation(test::case_of(test::crowd_text(laws, 90)), threads);
+  Simulation simulation(test::case_of(test::crowd_text(laws, 90)), {threads, 1});
   for (int k = 0; k < 200; ++k) simulation.step();
   Listed out;
   out.system = simulation.system();
   out.lists = prepare_lists(out.system, 2e-3);
-  refresh_lists(out.system, out.lists, threads);
+  refresh_lists(out.system, out.lists, {threads, 1});
   return out;
 }
 

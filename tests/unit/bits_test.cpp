@@ -58,7 +58,7 @@ struct Outcome {
 Outcome outcome(const Case& c, int threads, int steps, double skin = 0) {
   Case own = c;
   own.simulation.skin = skin;
-  Simulation s(own, threads);
+  Simulation s(own, {threads, 1});
   advance(s, steps);
   return {s.state_hash(), s.tally().contacts, s.tally().impacts, s.tally().impact_speed};
 }
@@ -100,7 +100,7 @@ TEST(Bits, AreNotTheSameForAnotherCase) {
 
 TEST(Bits, DoNotFeelASample) {
   const Case c = case_of(crowd_text(rough, 60, 0.026));
-  Simulation looked_at(c, 2);
+  Simulation looked_at(c, {2, 1});
   for (int k = 0; k < 300; ++k) {
     if (k % 7 == 0) looked_at.sample();
     looked_at.step();

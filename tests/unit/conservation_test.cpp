@@ -59,7 +59,7 @@ struct Closure {
 
 /// Runs a case and follows its books of momentum; `omit` leaves a channel out of them.
 Closure follow(const Case& c, int steps, const std::vector<std::string>& omit = {}) {
-  Simulation s(c, 2);
+  Simulation s(c, {2, 1});
   Books books;
   Closure out;
   double turn = 0;

@@ -115,10 +115,10 @@ TEST_P(RestartOf, AStateThroughMemoryGivesTheSameBitsAtAnyMoment) {
   Simulation whole(c, 1);
   advance(whole, 260);
   for (const int step : {0, 1, 137, 259}) {
-    Simulation one(c, 2);
+    Simulation one(c, {2, 1});
     advance(one, step);
     const Archive archive = one.save();
-    Simulation other(c, 3);
+    Simulation other(c, {3, 1});
     advance(other, 7);  // whatever it did before is forgotten
     other.restore(archive);
     EXPECT_EQ(other.state_hash(), one.state_hash()) << step;

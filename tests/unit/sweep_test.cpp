@@ -250,7 +250,7 @@ void expect_equal_in_every_way(const Case& c, int steps, int checks) {
     for (const int threads : {1, 2, 3}) {
       SCOPED_TRACE(std::string(isa) + ", threads: " + std::to_string(threads));
       const InstructionSet chosen(isa);
-      Simulation engine(c, threads);
+      Simulation engine(c, {threads, 1});
       ASSERT_STREQ(engine.instruction_set(), isa);
       if (plain.empty())
         for (int k = 0; k < checks; ++k) {

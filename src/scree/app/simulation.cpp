@@ -8,7 +8,7 @@
 #include "scree/app/models.h"
 
 namespace scree {
-Simulation::Simulation(const Case& c, int threads) : case_(c), threads_(threads), fields_(build_fields(c)) {
+Simulation::Simulation(const Case& c, Team team) : case_(c), team_(team), fields_(build_fields(c)) {
   system_ = build_system(case_, fields_);
   prescribed_ = build_prescribed(c, system_.particles);
   set_velocities(prescribed_, system_.particles, 0);
@@ -29,7 +29,7 @@ void Simulation::step() {
 
 void Simulation::refresh_neighbours() {
   const Stopwatch watch(stages_, "neighbours");
-  refresh_lists(system_, lists_, threads_);
+  refresh_lists(system_, lists_, team_);
 }
 
 void Simulation::evaluate_fields() {

@@ -35,7 +35,7 @@ struct Tally {
 class Simulation {
  public:
   /// Builds the initial state of a case. Throws InputError if the case cannot be run.
-  Simulation(const Case& c, int threads);
+  Simulation(const Case& c, Team team);
 
   /// Advances by one time step. Throws PhysicsError when the physics has gone wrong.
   void step();
@@ -61,7 +61,7 @@ class Simulation {
   const StageSeconds& stages() const { return stages_; }
   StageSeconds& stages() { return stages_; }
   const char* instruction_set() const { return lists_.kernels.name; }
-  int threads() const { return threads_; }
+  int threads() const { return team_.threads; }
 
  private:
   void move_prescribed_bodies();
@@ -74,7 +74,7 @@ class Simulation {
   sc_contact_time contact_time_now() const;
 
   Case case_;
-  int threads_;
+  Team team_;
   Ranks ranks_;
   ParticleSystem system_;
   Fields fields_;

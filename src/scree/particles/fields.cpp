@@ -1,5 +1,6 @@
 #include "scree/particles/fields.h"
 
+#include "scree/compute/team.h"
 #include "scree/physics/body/central.h"
 #include "scree/physics/body/rotating_frame.h"
 #include "scree/physics/flow/shear.h"
@@ -63,7 +64,7 @@ void evaluate(const Fields& fields, const Particles& particles, double time, Buf
   const std::int64_t n = static_cast<std::int64_t>(particles.size());
   out.resize(particles.size());
   const double* motion = particles.motion.values.data();
-#pragma omp parallel
+#pragma omp parallel if (n >= 2 * least_share)
   {
     // A formula keeps its variables inside: every thread has its own.
     auto acceleration = fields.acceleration, velocity = fields.velocity;

@@ -43,7 +43,7 @@ double longest_neck(const ParticleSystem& s) {
 double greatest_travel(const Particles& p, const Domain& domain, const Buffer<double>& from) {
   double greatest2 = 0;
   const std::int64_t n = static_cast<std::int64_t>(p.size());
-#pragma omp parallel for schedule(static) reduction(max : greatest2)
+#pragma omp parallel for schedule(static) reduction(max : greatest2) if (n >= 2 * least_share)
   for (std::int64_t i = 0; i < n; ++i) {
     double d2 = 0;
     for (int k = 0; k < 3; ++k) {
@@ -73,7 +73,7 @@ void adapt_skin(ContactLists& lists, const ParticleSystem& s) {
   lists.skin = std::clamp(lists.skin, 0.08 * radius, 1.0 * radius);
 }
 
-void make_lists(ParticleSystem& s, ContactLists& lists, int threads) {
+void make_lists(ParticleSystem& s, ContactLists& lists, int ranges) {
   Particles& p = s.particles;
   const std::size_t n = p.size();
   // Cells of about a diameter keep neighbours in space close in memory.
@@ -87,7 +87,7 @@ void make_lists(ParticleSystem& s, ContactLists& lists, int threads) {
   WallContacts walls = find_wall_contacts(p, s.walls, reach);
   carry_over(walls, s.wall_contacts, place);
   s.wall_contacts = std::move(walls);
-  lists.plan = plan_sweep(s.contacts.pairs, p, threads);
+  lists.plan = plan_sweep(s.contacts.pairs, p, ranges);
   lists.slots.slots.resize(8 * std::size_t(lists.plan.slots));
   if (s.contacts.remembers_rolling) lists.slots.couples.resize(4 * std::size_t(lists.plan.slots));
   lists.listed_at.resize(3 * n);
@@ -118,16 +118,16 @@ ContactLists prepare_lists(const ParticleSystem& s, double skin) {
   return lists;
 }
 
-bool refresh_lists(ParticleSystem& s, ContactLists& lists, int threads) {
-  const bool new_threads = lists.made && static_cast<int>(lists.plan.ranges.size()) != threads;
-  if (lists.made && !new_threads) {
+bool refresh_lists(ParticleSystem& s, ContactLists& lists, const Team& team) {
+  const int ranges = team.hands(s.particles.size());
+  if (lists.made && static_cast<int>(lists.plan.ranges.size()) == ranges) {
     if (2 * lists.travelled <= lists.skin) return false;
     // The sum of the fastest steps overestimates: most of the time nobody has really gone that far.
     lists.travelled = greatest_travel(s.particles, s.domain, lists.listed_at);
     if (2.5 * lists.travelled <= lists.skin) return false;
   }
   if (lists.adapts) adapt_skin(lists, s);
-  make_lists(s, lists, threads);
+  make_lists(s, lists, ranges);
   if constexpr (auditing) audit_lists(s, lists);
   lists.travelled = 0;
   lists.passes = 0;

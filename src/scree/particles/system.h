@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "scree/compute/team.h"
 #include "scree/data/domain.h"
 #include "scree/data/materials.h"
 #include "scree/data/particles.h"
@@ -44,7 +45,7 @@ struct ContactLists {
 ContactLists prepare_lists(const ParticleSystem& system, double skin);
 
 /// Makes the lists again if some particle may have come near another one unlisted. True if it did.
-bool refresh_lists(ParticleSystem& system, ContactLists& lists, int threads);
+bool refresh_lists(ParticleSystem& system, ContactLists& lists, const Team& team);
 
 /// Notes that particles moved by at most `distance` [m] since the last call.
 void note_travel(ContactLists& lists, double distance);

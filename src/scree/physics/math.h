@@ -18,24 +18,27 @@ SC_FN real sc_power_of_two(real n) {
   return SC_REAL_OF((sc_bits)((SC_BITS_OF(n + SC_SHIFTER) << SC_MANTISSA) + SC_ONE_BITS));
 }
 
+/// exp(r) - 1 for |r| up to ln(2)/2. The terms are added in pairs of pairs (Estrin 1960), which do not wait for each
+/// other: a third of the time of Horner's scheme where only one value is wanted.
+SC_FN real sc_exp_series(real r) {
+  const real square = r * r;
+  const real fourth = square * square;
+  const real a = R(1.0 / 6.0) + r * R(1.0 / 24.0);
+  const real b = R(1.0 / 120.0) + r * R(1.0 / 720.0);
+  const real c = R(1.0 / 5040.0) + r * R(1.0 / 40320.0);
+  const real d = R(1.0 / 362880.0) + r * R(1.0 / 3628800.0);
+  const real e = R(1.0 / 39916800.0) + r * R(1.0 / 479001600.0);
+  const real f = R(1.0 / 6227020800.0) + r * R(1.0 / 87178291200.0);
+  const real p = (a + square * b) + fourth * ((c + square * d) + fourth * (e + square * f));
+  return r + square * (R(0.5) + r * p);
+}
+
 /// exp(x + low), low much smaller than 1.
 SC_FN real sc_exp_of_sum(real x, real low) {
   const real inside = SC_MAX(SC_MIN(x, SC_EXP_TOP + R(1)), SC_EXP_BOTTOM - R(1));
   const real k = sc_round(inside * R(1.4426950408889634074));
   const real r = ((inside - k * SC_LN2_HIGH) - k * SC_LN2_LOW) + low;
-  real p = R(1.0 / 87178291200.0);
-  p = R(1.0 / 6227020800.0) + r * p;
-  p = R(1.0 / 479001600.0) + r * p;
-  p = R(1.0 / 39916800.0) + r * p;
-  p = R(1.0 / 3628800.0) + r * p;
-  p = R(1.0 / 362880.0) + r * p;
-  p = R(1.0 / 40320.0) + r * p;
-  p = R(1.0 / 5040.0) + r * p;
-  p = R(1.0 / 720.0) + r * p;
-  p = R(1.0 / 120.0) + r * p;
-  p = R(1.0 / 24.0) + r * p;
-  p = R(1.0 / 6.0) + r * p;
-  const real mantissa = R(1) + (r + r * r * (R(0.5) + r * p));
+  const real mantissa = R(1) + sc_exp_series(r);
   // In two factors: the result may be below the normal numbers, or just below infinity.
   const real first = sc_round(R(0.5) * k);
   const real value = mantissa * sc_power_of_two(first) * sc_power_of_two(k - first);
@@ -95,10 +98,14 @@ SC_FN real sc_cbrt(real x) {
 }
 
 /// (1 - exp(-x))/x for x not negative: what is left of a step of x relaxation times.
+///
+/// exp(-x) = s (1 + e) with a power of two s, so 1 - exp(-x) = (1 - s) - s e, where nothing cancels.
 SC_FN real sc_phi1(real x) {
-  real p = R(1);
-  for (int k = 19; k > 1; --k) p = R(1) - p * x * (R(1) / R(k));
-  return x < R(1) ? p : (R(1) - sc_exp(-x)) / x;
+  const real inside = SC_MIN(x, R(64));  // beyond, exp(-x) is nothing beside 1
+  const real k = sc_round(inside * R(1.4426950408889634074));
+  const real e = sc_exp_series((k * SC_LN2_HIGH - inside) + k * SC_LN2_LOW);
+  const real s = sc_power_of_two(-k);
+  return x > R(0) ? ((R(1) - s) - s * e) / x : R(1);
 }
 
 /// An angle as n quarter turns and a rest between -pi/4 and pi/4, in two parts.
