@@ -2,6 +2,7 @@
 #ifndef SCREE_PHYSICS_TOUCH_WALL_H
 #define SCREE_PHYSICS_TOUCH_WALL_H
 
+#include "scree/physics/touch/nearest.h"
 #include "scree/physics/touch/sphere_sphere.h"
 
 enum {
@@ -31,8 +32,6 @@ typedef struct {
   sc_vec normal;
   real distance;
 } sc_wall_gap;
-
-SC_FN real sc_clamp(real x, real low, real high) { return SC_MIN(SC_MAX(x, low), high); }
 
 SC_FN sc_wall_gap sc_plane_gap(sc_wall wall, sc_vec x) {
   sc_wall_gap out;
