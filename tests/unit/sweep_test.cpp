@@ -239,7 +239,13 @@ const std::vector<LawChoice>& law_choices() {
       {"jkr_mindlin_turning",
        "normal = \"hertz\"\ntangential = \"mindlin\"\nrolling = \"spring\"\ntwisting = \"spring\"\ncohesion = "
        "\"jkr\"\n",
-       turning + "adhesion = 2\n", true}};
+       turning + "adhesion = 2\n", true},
+      {"plain_cohesive_rolling",
+       "normal = \"linear_plain\"\ntangential = \"history\"\nrolling = \"spring\"\ncohesion = \"linear\"\n",
+       friction + "rolling_friction = 0.2\ncohesion_stiffness = 200\n"},
+      {"hertz_stretch_twisting", "normal = \"hertz\"\ntangential = \"mindlin_stretch\"\ntwisting = \"spring\"\n",
+       friction + "twisting_friction = 0.1\n", true},
+      {"jkr_none", "normal = \"hertz\"\ntangential = \"none\"\ncohesion = \"jkr\"\n", "adhesion = 2\n", true}};
   return choices;
 }
 

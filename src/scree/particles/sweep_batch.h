@@ -35,10 +35,8 @@ struct alignas(64) Batch {
 constexpr bool law_rolls(sc_laws l) { return l.rolling != SC_ROLLING_NONE || l.twisting != SC_TWISTING_NONE; }
 constexpr bool law_reaches(sc_laws l) { return l.cohesion != SC_COHESION_NONE; }
 
-/// Evaluates the law for contact i of the batch.
-template <bool OneMaterial>
-[[gnu::always_inline]] inline void act_on(Batch& b, int i, const sc_laws laws, const sc_pair_law* table,
-                                          const sc_contact_time time) {
+/// How the bodies of contact i meet.
+[[gnu::always_inline]] inline sc_sphere_touch touch_of(const Batch& b, int i, const sc_laws laws) {
   const bool rolls = law_rolls(laws), reaches = law_reaches(laws);
   sc_sphere_pair p;
   p.branch = sc_make_vec(b.bx[i], b.by[i], b.bz[i]);
@@ -49,7 +47,12 @@ template <bool OneMaterial>
   p.inverse_radius = b.ir[i];
   p.excess = reaches ? b.excess[i] : R(0);
   p.spin = rolls ? sc_make_vec(b.wx[i], b.wy[i], b.wz[i]) : sc_zero_vec();
-  const sc_sphere_touch t = sc_touch_spheres(p);
+  return sc_touch_spheres(p);
+}
+
+/// What contact i remembers.
+[[gnu::always_inline]] inline sc_contact_state state_of(const Batch& b, int i, const sc_laws laws) {
+  const bool rolls = law_rolls(laws);
   sc_contact_state s;
   s.slide = sc_make_vec(b.qx[i], b.qy[i], b.qz[i]);
   s.approach = b.qv[i];
@@ -57,6 +60,16 @@ template <bool OneMaterial>
   s.slid = b.slid[i];
   s.roll = rolls ? sc_make_vec(b.px[i], b.py[i], b.pz[i]) : sc_zero_vec();
   s.twist = rolls ? b.twist[i] : R(0);
+  return s;
+}
+
+/// Evaluates the law for contact i of the batch.
+template <bool OneMaterial>
+[[gnu::always_inline]] inline void act_on(Batch& b, int i, const sc_laws laws, const sc_pair_law* table,
+                                          const sc_contact_time time) {
+  const bool rolls = law_rolls(laws);
+  const sc_sphere_touch t = touch_of(b, i, laws);
+  const sc_contact_state s = state_of(b, i, laws);
   const sc_contact_result r = sc_contact_act(laws, OneMaterial ? table[0] : table[b.pair_law[i]], t.touch, time, s);
   const sc_vec force = sc_add(r.action.normal_force, r.action.tangential_force);
   const sc_vec turn = sc_scale(t.lever, sc_cross(t.touch.normal, r.action.tangential_force));
@@ -69,7 +82,7 @@ template <bool OneMaterial>
   b.gz[i] = turn.z;
   b.loss_sliding[i] = r.action.loss_sliding;
   b.touching[i] = r.action.touching ? R(1) : R(0);
-  b.depth[i] = R(0.5) * t.touch.overlap * p.inverse_radius;
+  b.depth[i] = R(0.5) * t.touch.overlap * b.ir[i];
   b.approach[i] = sc_dot(t.touch.velocity, t.touch.normal);
   // What does not touch is forgotten.
   const bool keep = r.action.touching != 0;
@@ -91,8 +104,7 @@ template <bool OneMaterial>
 }
 
 /// Evaluates the law for contacts [0, n) of the batch. With constant `laws` the choice folds away and the loop is
-/// vectorised; the same text with laws known at run time serves the rest. The body is a function of its own because
-/// structs declared in a simd loop would become arrays in memory.
+/// vectorised. The body is a function of its own because structs declared in a simd loop would become arrays in memory.
 template <bool OneMaterial>
 [[gnu::always_inline]] inline void act(Batch& b, int n, const sc_laws laws, const sc_pair_law* table,
                                        const sc_contact_time time) {

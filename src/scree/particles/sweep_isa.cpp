@@ -47,7 +47,8 @@ using LinearCohesive =
 
 SweepKernels SCREE_ISA(const sc_laws& laws, int materials) {
   SweepKernels out{advance<AnyLaws, false>, advance_deferred<AnyLaws>, nullptr};
-  // The combinations worth compiling on their own; all others share the text with the laws read at run time.
+  // The combinations worth compiling on their own; all others share one pass that takes the law in
+  // stages (sweep_stages.h).
   choose<HertzMindlin>(laws, materials, out) || choose<LinearHistory>(laws, materials, out) ||
       choose<LinearCohesive>(laws, materials, out);
   return out;

@@ -3,6 +3,7 @@
 
 #include "scree/particles/lanes.h"
 #include "scree/particles/sweep_batch.h"
+#include "scree/particles/sweep_stages.h"
 
 namespace scree {
 namespace {
@@ -10,11 +11,13 @@ namespace {
 /// Laws known when the program is compiled.
 template <int Normal, int Tangential, int Rolling, int Twisting, int Cohesion>
 struct FixedLaws {
+  static constexpr bool fixed = true;
   static constexpr sc_laws of(const SweepView&) { return {Normal, Tangential, Rolling, Twisting, Cohesion}; }
 };
 
 /// Laws known when it runs.
 struct AnyLaws {
+  static constexpr bool fixed = false;
   static sc_laws of(const SweepView& v) { return v.laws; }
 };
 
@@ -185,7 +188,10 @@ template <class Laws, bool OneMaterial>
     part(v, b, apart);
     if (!near) continue;
     load<OneMaterial>(v, laws, b, near);
-    act<OneMaterial>(b, (near + 7) & ~7, laws, v.law, v.time);
+    if constexpr (Laws::fixed)
+      act<OneMaterial>(b, (near + 7) & ~7, laws, v.law, v.time);
+    else
+      act_in_stages(b, (near + 7) & ~7, laws, v.law, v.time);
     store(v, laws, b, near, findings);
   }
 }

@@ -138,12 +138,14 @@ SC_FN sc_contact_result sc_resist_turning(sc_laws laws, sc_pair_law p, sc_touch 
   return out;
 }
 
-/// Evaluates a contact: forces and couple on A, losses of this step, and the memory for the next.
-///
-/// Where the result says that the contact does not touch, its state is to be forgotten; only the loss of a breaking JKR
-/// neck is left then, so a contact that acted is to be evaluated once more after it has parted.
-SC_FN sc_contact_result sc_contact_act(sc_laws laws, sc_pair_law p, sc_touch t, sc_contact_time time,
-                                       sc_contact_state s) {
+/// A contact of which the normal force is known, and what the resistances go on with.
+typedef struct {
+  sc_contact_result result;
+  sc_grip grip;
+} sc_pressed;
+
+/// The part of the normal law and of cohesion. Of the other laws it needs to know whether the tangential spring grows.
+SC_FN sc_pressed sc_contact_press(sc_laws laws, sc_pair_law p, sc_touch t, sc_contact_time time, sc_contact_state s) {
   sc_contact_result out;
   const int jkr = laws.cohesion == SC_COHESION_JKR;
   const int grows = sc_tangential_grows(laws);
@@ -171,8 +173,21 @@ SC_FN sc_contact_result sc_contact_act(sc_laws laws, sc_pair_law p, sc_touch t, 
   out.state = s;
   out.state.approach = g.memory.approach;
   out.state.acted = out.action.touching ? R(1) : R(0);
-  out = sc_resist_sliding(laws, p, t, time, g, out);
-  return sc_resist_turning(laws, p, t, time, g, out);
+  sc_pressed pressed;
+  pressed.result = out;
+  pressed.grip = g;
+  return pressed;
+}
+
+/// Evaluates a contact: forces and couple on A, losses of this step, and the memory for the next.
+///
+/// Where the result says that the contact does not touch, its state is to be forgotten; only the loss of a breaking JKR
+/// neck is left then, so a contact that acted is to be evaluated once more after it has parted.
+SC_FN sc_contact_result sc_contact_act(sc_laws laws, sc_pair_law p, sc_touch t, sc_contact_time time,
+                                       sc_contact_state s) {
+  const sc_pressed pressed = sc_contact_press(laws, p, t, time, s);
+  const sc_contact_result out = sc_resist_sliding(laws, p, t, time, pressed.grip, pressed.result);
+  return sc_resist_turning(laws, p, t, time, pressed.grip, out);
 }
 
 /// The energy stored in a contact at the present positions; `s` as the last evaluation left it.
