@@ -78,6 +78,30 @@ TEST(Guard, NamesTheParticleOfADeepOverlapWithAWall) {
   expect_words(f.text, {"particle 1 ", "wall 'end'", "overlap"});
 }
 
+/// The relative overlap that the pass finds in the first step of a case.
+double overlap_of(const std::string& text, const Overrides& overrides) {
+  Simulation s(case_of(text, overrides), 1);
+  s.step();
+  return s.findings().deepest;
+}
+
+TEST(Guard, MeasuresAnOverlapByTheSmallerRadius) {
+  // Radii of 5 and 1 mm, centres 5.9 mm apart: 0.1 of the smaller. Either may have the lower id.
+  const std::string text = two_text("[0.0559, 0.05, 0.05]", "[0, 0, 0]");
+  EXPECT_NEAR(overlap_of(text, {"particles.moving.diameter=0.002"}), 0.1, 1e-12);
+  EXPECT_NEAR(overlap_of(text, {"particles.at_rest.diameter=0.002"}), 0.1, 1e-12);
+  // Laws that are not compiled in, and two materials.
+  EXPECT_NEAR(overlap_of(text + "[[materials]]\nname = \"soft\"\ndensity = 2500\nstiffness = 500\n",
+                         {"particles.moving.diameter=0.002", "particles.moving.material=soft",
+                          "contact.tangential=step_spring"}),
+              0.1, 1e-12);
+  // A sphere of 5 mm radius, its centre 4.5 mm from a wall: 0.1 of its radius.
+  const std::string floor =
+      "[[walls]]\nname = \"floor\"\ntype = \"plane\"\nmaterial = \"glass\"\npoint = [0, 0, 0.02]\n"
+      "normal = [0, 0, 1]\n";
+  EXPECT_NEAR(overlap_of(two_text("[0.08, 0.05, 0.0245]", "[0, 0, 0]", floor), {}), 0.1, 1e-12);
+}
+
 TEST(Guard, NamesAParticleWhoseMotionIsNoNumber) {
   Case c = case_of(two_text("[0.07, 0.05, 0.05]", "[0, 1, 0]"));
   c.particles[1].velocity.value = {1e160, 0, 0};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scree/base/error.h"
@@ -41,7 +42,7 @@ std::string place_of(const Particles& p, std::size_t i) {
   throw PhysicsError(fmt::format("t = {:.9g} s: a particle has left the domain", time));
 }
 
-/// Bodies that overlap, and by how much of twice their effective radius.
+/// Bodies that overlap, and by how much of the smaller radius.
 struct Overlap {
   double share = -1;
   std::string who;
@@ -60,7 +61,7 @@ Overlap deepest_pair(const ParticleSystem& s) {
       d2 += d * d;
     }
     const double overlap = x[lane::radius] + y[lane::radius] - std::sqrt(d2);
-    const double share = 0.5 * overlap * (1 / x[lane::radius] + 1 / y[lane::radius]);
+    const double share = overlap / std::min(x[lane::radius], y[lane::radius]);
     if (share <= worst.share) continue;
     worst.share = share;
     a = static_cast<std::size_t>(i);
@@ -81,7 +82,7 @@ Overlap deepest_at_wall(const ParticleSystem& s) {
       sphere.position = sc_make_vec(m[lane::x], m[lane::y], m[lane::z]);
       sphere.radius = m[lane::radius];
       sphere.inverse_mass = m[lane::inverse_mass];
-      const double share = 0.5 * sc_touch_wall(sphere, s.walls.faces[face]).touch.overlap / m[lane::radius];
+      const double share = sc_touch_wall(sphere, s.walls.faces[face]).touch.overlap / m[lane::radius];
       if (share <= worst.share) continue;
       worst = {share, place_of(p, i) + " and wall '" + s.walls.names[s.walls.owner[face]] + "'"};
     }
@@ -92,7 +93,7 @@ Overlap deepest_at_wall(const ParticleSystem& s) {
 [[noreturn]] void report_deep(const ParticleSystem& s, double deepest, double limit, double time) {
   const Overlap pair = deepest_pair(s), wall = deepest_at_wall(s);
   throw PhysicsError(
-      fmt::format("t = {:.9g} s: an overlap of {:.3g} of twice the effective radius exceeds simulation.max_overlap = "
+      fmt::format("t = {:.9g} s: an overlap of {:.3g} of the smaller radius exceeds simulation.max_overlap = "
                   "{:.3g}, between {}. "
                   "The material is too soft for these speeds, or the time step too long: see `scree check`",
                   time, deepest, limit, wall.share > pair.share ? wall.who : pair.who));

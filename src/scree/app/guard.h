@@ -6,7 +6,7 @@
 namespace scree {
 
 /// Throws PhysicsError if the step that `findings` reports left a speed that is no number, an overlap deeper than
-/// `max_overlap` (a fraction of twice the effective radius), or a particle outside the domain. `time` is the time
+/// `max_overlap` (a fraction of the smaller radius), or a particle outside the domain. `time` is the time
 /// after the step [s].
 void guard_step(const ParticleSystem& system, const SweepFindings& findings, double max_overlap, double time);
 

@@ -50,7 +50,9 @@ const Section& simulation_section() {
            "with trapezoidal position, first order, for comparison")
            .one_of({"leapfrog", "explicit", "implicit"}),
        key("seed", &S::seed, "seed of every random draw; the same seed gives the same particles on any machine"),
-       key("max_overlap", &S::max_overlap, "overlap at which the run stops, as a fraction of the smaller radius")
+       key("max_overlap", &S::max_overlap,
+           "overlap at which the run stops, as a fraction of the smaller of the two radii; at a wall of the particle's "
+           "radius")
            .above(0)
            .at_most(1),
        key("skin", &S::skin, "margin of the list of neighbours; 0: chosen by the program").unit("m").at_least(0)},

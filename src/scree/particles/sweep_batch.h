@@ -23,6 +23,7 @@ struct alignas(64) Batch {
   double wx[batch_room], wy[batch_room], wz[batch_room];                     // spin difference, rolling laws only
   double px[batch_room], py[batch_room], pz[batch_room], twist[batch_room];  // roll
   double excess[batch_room];
+  double inverse_smaller[batch_room];  // of the smaller radius [1/m]
   std::int32_t pair_law[batch_room];
   // results
   double fx[batch_room], fy[batch_room], fz[batch_room], loss_normal[batch_room];
@@ -82,7 +83,7 @@ template <bool OneMaterial>
   b.gz[i] = turn.z;
   b.loss_sliding[i] = r.action.loss_sliding;
   b.touching[i] = r.action.touching ? R(1) : R(0);
-  b.depth[i] = R(0.5) * t.touch.overlap * b.ir[i];
+  b.depth[i] = t.touch.overlap * b.inverse_smaller[i];
   b.approach[i] = sc_dot(t.touch.velocity, t.touch.normal);
   // What does not touch is forgotten.
   const bool keep = r.action.touching != 0;

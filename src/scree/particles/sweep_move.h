@@ -68,7 +68,7 @@ template <class Laws>
   store4(roll, keep * lane4{r.state.roll.x, r.state.roll.y, r.state.roll.z, r.state.twist});
   v.walls.active[w] = contact_code(r.action.touching != 0, r.state.slid > 0);
   findings.contacts += r.action.touching != 0;
-  findings.deepest = SC_MAX(findings.deepest, R(0.5) * t.touch.overlap / t.touch.radius);
+  findings.deepest = SC_MAX(findings.deepest, t.touch.overlap / s.radius);
 }
 
 /// Work and impulse of everything that is not a pair of free particles.

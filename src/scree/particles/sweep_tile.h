@@ -110,7 +110,9 @@ template <bool OneMaterial>
       const std::int64_t i = v.owner[b.which[k + l]], j = v.partner[b.which[k + l]];
       const lane4 va = load4(v.motion + 8 * i + 4), vb = load4(v.motion + 8 * j + 4);
       velocity[l] = last_of(va - vb, va + vb);
-      rim[l] = load4(v.spin + 4 * i) + load4(v.spin + 4 * j);
+      const double *sa = v.spin + 4 * i, *sb = v.spin + 4 * j;
+      rim[l] = load4(sa) + load4(sb);
+      b.inverse_smaller[k + l] = SC_MAX(sa[3], sb[3]);
       slide[l] = load4(v.slide + std::int64_t{4} * b.which[k + l]);
     }
     put(b.ux, b.uy, b.uz, b.im, k, columns_of(velocity));
