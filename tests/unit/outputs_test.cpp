@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <sstream>
 
 #include "engine_cases.h"
+#include "scree/app/columns.h"
 #include "scree/app/run.h"
 #include "scree/base/atomic_file.h"
 #include "support/temporary_directory.h"
@@ -110,6 +112,19 @@ TEST(Outputs, RowsComeAtTheirTimesFromTheFirstToTheLast) {
     EXPECT_NEAR(z[k], 0.05 + time[k] - 5 * time[k] * time[k], 1e-12);
     EXPECT_NEAR(wy[k], 2, 1e-12);
   }
+}
+
+TEST(Outputs, TheSummaryHasTheLastRowOfTheSeries) {
+  const TemporaryDirectory space;
+  const RunResult result = run_case(case_of(ball_text(), {"output.series=0.003"}), into(space / "run"));
+  const std::vector<std::string> columns = series_columns(false);
+  EXPECT_GT(result.summary.ledger.size(), 10u);
+  for (const auto& [name, value] : result.summary.ledger) {
+    ASSERT_NE(std::find(columns.begin(), columns.end(), name), columns.end()) << name;
+    EXPECT_EQ(column(space / "run/series.csv", name).back(), value) << name;
+  }
+  // Potential energy from the start: the balls rose by 0.02 - 5 * 0.02^2 = 0.018 m and weigh 1.309 g each.
+  EXPECT_NEAR(column(space / "run/series.csv", "gravitational_energy").back(), 2 * 1.3089969e-3 * 10 * 0.018, 1e-10);
 }
 
 TEST(Outputs, WithoutIntervalsAreFirstAndLastFrameAndTwoHundredRows) {

@@ -76,6 +76,12 @@ void Outputs::take_stock(Simulation& simulation) {
   row_ = scree::balance(*books_, measured_, simulation.system().domain.any_periodic());
 }
 
+Measured Outputs::measured() const {
+  Measured since_start = measured_;
+  since_start.body_work -= books_->start.body_work;
+  return since_start;
+}
+
 void Outputs::enter_books(Simulation& simulation) {
   const Clock& clock = simulation.clock();
   take_stock(simulation);
@@ -99,8 +105,7 @@ void Outputs::append_row(Simulation& simulation) {
   SeriesRow row;
   row.time = clock.now();
   row.step = clock.step;
-  row.measured = measured_;
-  row.measured.body_work -= books_->start.body_work;
+  row.measured = measured();
   row.balance = row_;
   row.contacts = sample.findings.contacts;
   row.max_overlap = std::max(0.0, sample.findings.deepest);

@@ -43,7 +43,8 @@ class Outputs {
 
   /// The latest balance of the books.
   const LedgerRow& balance() const { return row_; }
-  const Measured& measured() const { return measured_; }
+  /// What was measured last; the work of body forces counts from the start, as all exchanges do.
+  Measured measured() const;
 
   /// True when enough particles are in agglomerates for the case to end.
   bool agglomerated() const { return agglomerated_; }

@@ -28,7 +28,7 @@ double seconds_since(WallClock::time_point begin) {
 std::int64_t steps_until(double end, double dt) { return static_cast<std::int64_t>(std::ceil(end / dt - 1e-5)); }
 
 std::vector<std::pair<std::string, double>> ledger_of(const Outputs& outputs) {
-  const Measured& m = outputs.measured();
+  const Measured m = outputs.measured();
   const LedgerRow& row = outputs.balance();
   return {{"kinetic_energy", m.kinetic},
           {"rotational_energy", m.rotational},
