@@ -29,6 +29,7 @@ std::string item_path(const char* list, std::size_t index);
 void check_materials(const Check& check);  // names, references, what the laws need
 void check_geometry(const Check& check);   // domain, walls, regions, positions
 void check_particles(const Check& check);  // sizes, insertion, flow
+void check_fields(const Check& check);     // flows and body forces on periodic axes
 void check_verify(const Check& check);     // variants and expectations
 
 }  // namespace scree

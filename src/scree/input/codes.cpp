@@ -49,6 +49,12 @@ constexpr ErrorCode codes[] = {
     {"E168", "file not found", "A file that the case names does not exist. File names are relative to the case file."},
     {"E169", "how many particles", "The number of particles is not given, or in two ways."},
     {"E170", "unusable expectation", "An expectation says nothing, or contradicts itself."},
+    {"E171", "a field that breaks the period",
+     "What leaves through one face of a periodic axis comes in through the other. A flow or a body force must "
+     "therefore "
+     "be the same at both faces: a shear flow cannot cross a periodic y axis, Taylor-Green vortices must fit a whole "
+     "number of times, a rotating frame can be periodic along its axis only, and an attracting point allows no "
+     "periodic axis. `scree check` looks at formulas."},
     {"E180", "override that leads nowhere",
      "The path given to --set, or in a variant, does not lead to a key. Tables in lists are found by their name or by "
      "their index from 0: materials.glass.restitution=0.5, particles.0.velocity.value=[1, 0, 0]."},

@@ -56,6 +56,7 @@ Outcome evaluate(Table root, const std::string& path, const std::vector<std::str
   check_materials(check);
   check_geometry(check);
   check_particles(check);
+  check_fields(check);
   check_verify(check);
   return result;
 }
