@@ -117,9 +117,16 @@ void say_cohesion(const DerivedCohesion& cohesion, Lines& lines) {
                      Verdict::none, ""});
   if (cohesion.pull_off)
     lines.push_back({"pull-off force", fmt::format("{:.4g} N", *cohesion.pull_off), Verdict::none, ""});
+  if (cohesion.elastic_sticking_speed && cohesion.restitution < 1)
+    lines.push_back({"elastic bodies stick below",
+                     fmt::format("{:.4g} m/s (Thornton and Ning 1998)", *cohesion.elastic_sticking_speed),
+                     Verdict::none, ""});
   if (cohesion.sticking_speed) {
     const bool always = std::isinf(*cohesion.sticking_speed);
-    lines.push_back({"they stick below", always ? "any speed" : fmt::format("{:.4g} m/s", *cohesion.sticking_speed),
+    lines.push_back({"they stick below",
+                     always ? "any speed"
+                            : fmt::format("{:.4g} m/s (restitution {:.4g} without cohesion)", *cohesion.sticking_speed,
+                                          cohesion.restitution),
                      warn_if(always), "keep cohesion_stiffness below the normal stiffness"});
   }
 }

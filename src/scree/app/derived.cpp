@@ -96,10 +96,12 @@ std::optional<DerivedCohesion> derive_cohesion(const Case& c, const Materials& m
   DerivedCohesion out;
   out.what = e.what;
   out.mass = e.mass;
+  out.restitution = e.restitution;
   out.speed = speed;
   if (laws.cohesion == SC_COHESION_JKR) {
     out.pull_off = pull_off_force(e.law.adhesion, e.radius);
-    out.sticking_speed = adhesive_sticking_speed(e.law.adhesion, e.radius, e.law.young, e.mass);
+    out.elastic_sticking_speed = elastic_sticking_speed(e.law.adhesion, e.radius, e.law.young, e.mass);
+    out.sticking_speed = adhesive_sticking_speed(e.law, e.radius, e.mass);
   } else if (laws.normal != SC_NORMAL_HERTZ) {
     out.stickiness = stickiness_number(cohesive_impact(e, laws), speed);
     out.sticking_speed = sticking_speed(cohesive_impact(e, laws));

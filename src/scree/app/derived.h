@@ -44,11 +44,13 @@ struct DerivedFluid {
 
 /// Cohesion of a typical encounter; empty where the law has none.
 struct DerivedCohesion {
-  std::string what;                      // the encounter
-  double mass = 0, speed = 0;            // reduced mass [kg] and speed [m/s] of the stickiness number
-  std::optional<double> stickiness;      // the report's number
-  std::optional<double> sticking_speed;  // exact, or of Thornton and Ning [m/s]
-  std::optional<double> pull_off;        // JKR [N]
+  std::string what;                              // the encounter
+  double mass = 0, speed = 0;                    // reduced mass [kg] and speed [m/s] of the stickiness number
+  double restitution = 1;                        // of the two without cohesion
+  std::optional<double> stickiness;              // the report's number
+  std::optional<double> sticking_speed;          // exact for the law, dashpots included [m/s]
+  std::optional<double> elastic_sticking_speed;  // JKR without dashpots, of Thornton and Ning [m/s]
+  std::optional<double> pull_off;                // JKR [N]
 };
 
 /// What the run costs.

@@ -1,6 +1,8 @@
 // When two particles that meet stay together: numbers for the check before a run and for the series.
 #pragma once
 
+#include "scree/physics/contact/contact.h"
+
 namespace scree {
 
 /// A head-on impact of two bodies under the linear laws with linear cohesion.
@@ -35,6 +37,10 @@ double pull_off_force(double adhesion, double radius);
 
 /// Speed below which elastic bodies with adhesion stick, sqrt(14.18 / m) (W^5 R*^4 / E*^2)^(1/6) [m/s] (Thornton and
 /// Ning 1998); m is the reduced mass.
-double adhesive_sticking_speed(double adhesion, double radius, double young, double mass);
+double elastic_sticking_speed(double adhesion, double radius, double young, double mass);
+
+/// Speed below which bodies with adhesion stick, their dashpot included [m/s]: exact for this law, from the equation of
+/// motion. The dashpot takes its part on the way in and on the way out, while the neck pulls.
+double adhesive_sticking_speed(const sc_pair_law& law, double radius, double mass);
 
 }  // namespace scree

@@ -23,7 +23,10 @@ const Section& materials_section() {
            .unit("N/m")
            .above(0)
            .defaults_to("none"),
-       key("restitution", &S::restitution, "speed after over speed before a head-on collision").between(1e-4, 1),
+       key("restitution", &S::restitution,
+           "speed after over speed before a head-on collision without cohesion; with cohesion or adhesion, which "
+           "lengthen the contact and take their own share, bodies come back more slowly or stay")
+           .between(1e-4, 1),
        key("friction", &S::friction, "coefficient of friction, static and sliding").between(0, 100),
        key("friction_sliding", &S::friction_sliding, "coefficient while sliding")
            .between(0, 100)
@@ -52,7 +55,7 @@ const Section& pairs_section() {
       {key("materials", &S::materials, "names of the two materials; may be the same twice").required(),
        key("stiffness", &S::stiffness, "of the linear normal spring").unit("N/m").above(0).defaults_to("mixed"),
        key("young", &S::young, "effective modulus E* of the pair").unit("Pa").above(0).defaults_to("mixed"),
-       key("restitution", &S::restitution, "speed after over speed before a head-on collision")
+       key("restitution", &S::restitution, "speed after over speed before a head-on collision without cohesion")
            .between(1e-4, 1)
            .defaults_to("mixed"),
        key("friction", &S::friction, "coefficient of friction, static and sliding")
