@@ -119,6 +119,10 @@ TEST(Momentum, IsBookedFromWallsFieldsAndBodies) {
   expect_closed("walls", case_of(cloud_text() + room), 5000, both);
   const Overrides gravity = {"gravity.type=uniform", "gravity.acceleration=[1, -2, -9.81]"};
   expect_closed("gravity and walls", case_of(cloud_text(200) + room, gravity), 1000, both);
+  expect_closed("gravity and buoyancy",
+                case_of(cloud_text(200), {"gravity.type=uniform", "gravity.acceleration=[1, -2, -9.81]",
+                                          "flow.type=still", "flow.density=1000", "flow.buoyancy=true"}),
+                1000, both);
   expect_closed("gravity alone", case_of(cloud_text(200), gravity), 1000, both);
   expect_closed("drag",
                 case_of(cloud_text(200), {"flow.type=shear", "flow.shear_rate=30", "flow.drag=schiller_naumann",

@@ -183,6 +183,104 @@ TEST(Derived, TopSpeed) {
   EXPECT_NEAR(top_speed(c, body_kinds(c)).value, 6 + 10 * 0.1 * std::sqrt(2), 1e-12);
 }
 
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Derived, TopSpeedWithBuoyancyAndPeriods) {
+  Case c = linear_case();
+  c.simulation.top_speed.reset();
+  c.gravity.type = "uniform";
+  c.gravity.acceleration = {0, 0, -10};
+  c.flow.type = "still";
+  c.flow.density = 10000;  // four times the particles': they rise with 3 g
+  c.flow.buoyancy = true;
+  EXPECT_DOUBLE_EQ(top_speed(c, body_kinds(c)).value, std::sqrt(2 * 30 * 0.1));
+  EXPECT_TRUE(says(top_speed(c, body_kinds(c)).source, "a fall through the domain"));
+  c.domain.periodic = {false, false, true};
+  EXPECT_TRUE(says(top_speed(c, body_kinds(c)).source, "one period"));
+  c.flow.drag = "stokes";
+  c.flow.viscosity = 1e-3;  // terminal speed 30 * 2500 * 16e-6 / (18 * 1e-3), more than a fall of one period gives
+  EXPECT_NEAR(top_speed(c, body_kinds(c)).value, 30 * 2500 * 16e-6 / 18e-3, 1e-9);
+  EXPECT_TRUE(says(top_speed(c, body_kinds(c)).source, "Stokes"));
+}
+
+TEST(Derived, BuoyancyIsTold) {
+  Case c = linear_case();
+  c.gravity.type = "uniform";
+  c.gravity.acceleration = {0, 0, -10};
+  c.flow.type = "still";
+  c.flow.density = 1000;
+  EXPECT_TRUE(says(check_report(c, derive(c)), "warning  buoyancy of 'glass'"));
+  EXPECT_TRUE(says(check_report(c, derive(c)), "off, 40 % of the weight"));
+  c.flow.buoyancy = true;
+  EXPECT_TRUE(says(check_report(c, derive(c)), "ok       buoyancy of 'glass'"));
+  c.flow.buoyancy = false;
+  c.flow.density = 1.2;
+  EXPECT_TRUE(says(check_report(c, derive(c)), "ok       buoyancy of 'glass'"));
+  c.gravity.type = "none";
+  EXPECT_FALSE(says(check_report(c, derive(c)), "buoyancy"));
+}
+
+TEST(Derived, OpenBoundariesAreTold) {
+  Case c = linear_case();
+  EXPECT_FALSE(says(check_report(c, derive(c)), "open boundaries"));
+  c.walls.clear();
+  EXPECT_TRUE(says(check_report(c, derive(c)), "along x, y, z, without a wall"));
+  c.domain.periodic = {true, false, true};
+  EXPECT_TRUE(says(check_report(c, derive(c)), "along y, without a wall"));
+  c.domain.periodic = {true, true, true};
+  EXPECT_FALSE(says(check_report(c, derive(c)), "open boundaries"));
+}
+
+// Fields over a box of side 0.1: waves that fit pass, rounding included; a ramp and a wave that does not fit jump.
+TEST(Derived, FormulasThatJumpAtPeriodicFacesAreTold) {
+  Case c = linear_case();
+  c.domain.periodic = {true, true, false};
+  c.flow.type = "expression";
+  c.flow.expression = {"sin(2 * pi * x / 0.1)", "z", "cos(4 * pi * y / 0.1) * t"};
+  EXPECT_TRUE(derive(c).jumps.empty());
+  c.flow.expression[1] = "3 * y";
+  c.gravity.type = "expression";
+  c.gravity.expression = {"0", "0", "t * cos(pi * x / 0.1)"};
+  const std::vector<PeriodicJump> jumps = derive(c).jumps;
+  ASSERT_EQ(jumps.size(), 2u);
+  EXPECT_EQ(jumps[0].key, "gravity.expression");
+  EXPECT_EQ(jumps[0].axis, 0);
+  EXPECT_NEAR(jumps[0].jump, 2, 1e-12);  // from 1 to -1 at the end of the run
+  EXPECT_EQ(jumps[1].key, "flow.expression");
+  EXPECT_EQ(jumps[1].axis, 1);
+  EXPECT_NEAR(jumps[1].jump, 0.3, 1e-12);
+  EXPECT_TRUE(says(check_report(c, derive(c)), "warning  flow.expression"));
+}
+
+TEST(Derived, WithoutContactsThereIsNoShareOfAStep) {
+  Case c = linear_case();
+  c.walls.clear();
+  c.particles.resize(1);
+  c.particles[0].positions.resize(1);
+  c.flow.type = "still";
+  c.flow.drag = "stokes";
+  c.flow.viscosity = 1e-3;
+  const std::string report = check_report(c, derive(c));
+  EXPECT_TRUE(says(report, "drag relaxation time"));
+  EXPECT_FALSE(says(report, "nan")) << report;
+}
+
+// A box of two diameters and a bit is long enough for the bodies, not for a neck of -0.4725 (q R)^(4/3) / R.
+TEST(Derived, NecksCountInThePeriod) {
+  Case c = hertz_case();
+  c.contact.laws.cohesion = SC_COHESION_JKR;
+  c.materials[0].adhesion = 0.05;
+  c.particles[0].positions.resize(1);
+  c.simulation.time_step = 1e-6;
+  c.domain.periodic = {false, true, false};
+  const double neck = 0.75 * std::cbrt(pi * pi * 0.05 * 0.05 * 1e-3 / (5494505.494505494 * 5494505.494505494));
+  c.domain.max[1] = 2 * (2e-3 + 1.01 * neck);
+  c.particles[0].positions[0][1] = 2e-3;
+  EXPECT_NO_THROW(Simulation(c, 1));
+  c.domain.max[1] = 2 * (2e-3 + 0.99 * neck);
+  EXPECT_THROW(Simulation(c, 1), InputError);
+}
+
 TEST(Derived, FluidNumbers) {
   Case c = linear_case();
   c.walls.clear();

@@ -189,6 +189,27 @@ TEST(Fields, StiffDragIsExactForAnyStep) {
   EXPECT_NEAR(slow.velocity[0], 3 * std::exp(-rate_of(1e-4)), 1e-12);
 }
 
+/// A sphere of 1000 kg/m3 let go in a fluid, without drag unless said.
+Motion let_go(const std::string& flow, double seconds) {
+  return after(
+      one_text({0, 0, 0}, {0, 0, 0},
+               "[gravity]\ntype = \"uniform\"\nacceleration = [1, 0, -9.81]\n[flow]\ntype = \"still\"\n" + flow),
+      seconds, 0.005);
+}
+
+TEST(Buoyancy, CarriesTheWeightOfTheDisplacedFluid) {
+  const Motion sinks = let_go("density = 400\nbuoyancy = true\n", 0.1),
+               rises = let_go("density = 3000\nbuoyancy = true\n", 0.1),
+               floats = let_go("density = 1000\nbuoyancy = true\n", 0.1), falls = let_go("density = 400\n", 0.1);
+  EXPECT_LT(distance(sinks.velocity, {0.06, 0, -0.5886}), 1e-13);
+  EXPECT_LT(distance(rises.velocity, {-0.2, 0, 1.962}), 1e-13);
+  EXPECT_LT(distance(floats.velocity, {0, 0, 0}), 1e-15);
+  EXPECT_LT(distance(falls.velocity, {0.1, 0, -0.981}), 1e-13);
+  // With stiff drag: the settling speed of Stokes, (rho_p - rho_f) g d^2 / (18 mu).
+  const Motion settles = let_go("density = 400\nviscosity = 0.1\ndrag = \"stokes\"\nbuoyancy = true\n", 1);
+  EXPECT_NEAR(settles.velocity[2], -0.6 * 9.81 / rate_of(0.1), 1e-12);
+}
+
 const char* const prescribed = "motion = \"prescribed\"\nmotion_velocity = ";
 
 TEST(Prescribed, MotionFollowsItsFormulaOfTime) {

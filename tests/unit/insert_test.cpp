@@ -390,6 +390,9 @@ TEST_F(TableFile, ColumnsInAnyOrder) {
 
 TEST_F(TableFile, ErrorsNameFileAndLine) {
   expect_has(message(""), {"grains.csv:0: error: the file is empty", "x,y,z"});
+  expect_has(message("x;y;z\n0,5;1;2\n"),
+             {"grains.csv:1: error: the columns are separated by semicolons", "by commas"});
+  expect_has(message("# made by hand\nx\ty\tz\n"), {"grains.csv:2: error: the columns are separated by tabs"});
   expect_has(message("x,y,q\n"), {"grains.csv:1: error: unknown column 'q'", "columns are x, y, z, vx"});
   expect_has(message("x,y,z,x\n"), {"grains.csv:1: error: column 'x' occurs twice"});
   expect_has(message("x,z\n"), {"grains.csv:1: error: columns x, y, z must all be there"});

@@ -1,9 +1,12 @@
 #include "scree/app/build.h"
 
+#include <fmt/format.h>
+
 #include "scree/app/build_materials.h"
 #include "scree/app/build_particles.h"
 #include "scree/app/build_walls.h"
 #include "scree/app/models.h"
+#include "scree/base/error.h"
 
 namespace scree {
 namespace {
@@ -37,6 +40,21 @@ void build_flow(const FlowKeys& k, Fields& f) {
   f.drag = f.flow == FlowKind::none ? SC_DRAG_NONE : drag_law(k.drag);
   f.density = k.density;
   f.viscosity = k.viscosity;
+  f.buoyancy = f.flow != FlowKind::none && k.buoyancy && f.body == BodyForce::uniform;
+}
+
+/// Two particles must not meet over both sides of the box. What the keys tell is checked with the input; how far a neck
+/// of adhesion may be drawn out follows from the materials.
+void expect_one_image(const ParticleSystem& s, double skin) {
+  if (s.laws.cohesion != SC_COHESION_JKR) return;
+  const double needed = 2 * (longest_range(s) + skin);
+  for (int k = 0; k < 3; ++k)
+    if (s.domain.periodic[k] && s.domain.period(k) <= needed)
+      throw InputError(fmt::format(
+          "domain.periodic: the domain is too small to be periodic along {}: {} m long, must be above {:.6g} m\n"
+          "  = help: a periodic box must be longer than two interaction ranges (largest diameter, the longest "
+          "neck of adhesion, and skin)",
+          "xyz"[k], s.domain.period(k), needed));
 }
 
 }  // namespace
@@ -58,6 +76,7 @@ ParticleSystem build_system(const Case& c, Fields& fields) {
   s.walls = build_walls(c);
   s.particles =
       build_particles(c, s.domain, s.walls, [&](const Vec3& x) { return flow_velocity(fields, x.data(), 0.0); });
+  expect_one_image(s, c.simulation.skin);
   s.contacts.remembers_rolling = s.laws.rolling != SC_ROLLING_NONE || s.laws.twisting != SC_TWISTING_NONE;
   return s;
 }

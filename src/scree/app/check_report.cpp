@@ -93,8 +93,8 @@ void say_fluid(const Case& c, const Derived& d, Lines& lines) {
   if (!std::isfinite(f.relaxation_time)) return;
   const double ratio = d.step.time_step / f.relaxation_time;
   const bool exact = c.simulation.integrator != "explicit";
-  lines.push_back({"drag relaxation time",
-                   fmt::format("{:.4g} s; the step is {:.3g} % of it", f.relaxation_time, 100 * ratio),
+  const std::string share = std::isnan(ratio) ? "" : fmt::format("; the step is {:.3g} % of it", 100 * ratio);
+  lines.push_back({"drag relaxation time", fmt::format("{:.4g} s{}", f.relaxation_time, share),
                    warn_if(!exact && ratio > 1),
                    "explicit drag needs a step below the relaxation time; use integrator = \"leapfrog\""});
   const bool stokes = c.flow.drag == "stokes";
@@ -107,6 +107,32 @@ void say_fluid(const Case& c, const Derived& d, Lines& lines) {
         {"Stokes number",
          fmt::format("{:.3g} (mean flow {:.4g} m/s over {:.4g} m)", *f.stokes, f.flow_speed, f.stokes_length),
          Verdict::none, ""});
+}
+
+void say_lift(const Case& c, const Derived& d, Lines& lines) {
+  for (const DerivedLift& lift : d.lift)
+    lines.push_back({fmt::format("buoyancy of '{}'", lift.material),
+                     fmt::format("{}, {:.3g} % of the weight", c.flow.buoyancy ? "on" : "off", 100 * lift.share),
+                     warn_if(!c.flow.buoyancy && lift.share > 0.01),
+                     "set flow.buoyancy = true, unless gravity.acceleration is already reduced by it"});
+}
+
+/// What the boundaries do to particles and fields.
+void say_boundaries(const Case& c, const Derived& d, Lines& lines) {
+  std::string open;
+  for (int k = 0; k < 3; ++k)
+    if (!c.domain.periodic[k]) open += fmt::format("{}{}", open.empty() ? "" : ", ", "xyz"[k]);
+  if (c.walls.empty() && !open.empty())
+    lines.push_back({"open boundaries",
+                     fmt::format("along {}, without a wall: a particle that leaves stops the run", open), Verdict::none,
+                     ""});
+  for (const PeriodicJump& jump : d.jumps)
+    lines.push_back(
+        {jump.key,
+         fmt::format("jumps by up to {:.3g} {} at the periodic faces along {}; it is up to {:.3g} {} elsewhere",
+                     jump.jump, jump.unit, "xyz"[jump.axis], jump.largest, jump.unit),
+         Verdict::warning,
+         fmt::format("make it periodic, or set domain.periodic to false along {}", "xyz"[jump.axis])});
 }
 
 void say_cohesion(const DerivedCohesion& cohesion, Lines& lines) {
@@ -160,7 +186,9 @@ std::string check_report(const Case& c, const Derived& d, const std::string& ref
   Lines lines;
   say_particles(d, lines);
   say_step(c, d.step, lines);
+  say_boundaries(c, d, lines);
   say_fluid(c, d, lines);
+  say_lift(c, d, lines);
   if (d.cohesion) say_cohesion(*d.cohesion, lines);
   say_cost(d.cost, lines);
   std::size_t width = 0;

@@ -62,6 +62,18 @@ DerivedStep derive_step(const Case& c, const Materials& materials, const std::ve
   return out;
 }
 
+std::vector<DerivedLift> derive_lift(const Case& c, const std::vector<BodyKind>& kinds) {
+  std::vector<DerivedLift> out;
+  if (c.flow.type == "none" || c.flow.density == 0 || c.gravity.type != "uniform") return out;
+  for (const BodyKind& kind : kinds) {
+    const std::string& material = c.materials[kind.material].name;
+    const auto same = [&](const DerivedLift& l) { return l.material == material; };
+    if (kind.free && std::none_of(out.begin(), out.end(), same))
+      out.push_back({material, c.flow.density / kind.density});
+  }
+  return out;
+}
+
 /// The length over which the flow changes: the side of a vortex cell of Taylor-Green, else the shortest side of the
 /// domain [m].
 double flow_length(const Case& c) {
@@ -151,6 +163,8 @@ Derived derive(const Case& c) {
   out.kinds = body_kinds(c);
   out.step = derive_step(c, materials, out.kinds);
   out.fluid = derive_fluid(c, out.kinds, out.step.top_speed);
+  out.lift = derive_lift(c, out.kinds);
+  out.jumps = periodic_jumps(c);
   out.cohesion = derive_cohesion(c, materials, out.kinds, typical_speed(out.fluid, out.step));
   out.cost = derive_cost(c, out.kinds, out.step.steps);
   return out;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scree/app/body_kinds.h"
+#include "scree/app/periodic_jumps.h"
 #include "scree/app/sticking.h"
 #include "scree/data/materials.h"
 #include "scree/input/case.h"
@@ -42,6 +43,12 @@ struct DerivedFluid {
   double stokes_length = 0;                                          // length of the flow that it was taken with [m]
 };
 
+/// How much of the weight of a material the fluid carries, or would carry.
+struct DerivedLift {
+  std::string material;
+  double share = 0;  // density of the fluid over that of the material
+};
+
 /// Cohesion of a typical encounter; empty where the law has none.
 struct DerivedCohesion {
   std::string what;                              // the encounter
@@ -68,6 +75,8 @@ struct Derived {
   std::vector<BodyKind> kinds;
   DerivedStep step;
   DerivedFluid fluid;
+  std::vector<DerivedLift> lift;  // of every material of free particles; empty without weight or fluid
+  std::vector<PeriodicJump> jumps;
   std::optional<DerivedCohesion> cohesion;
   DerivedCost cost;
 };

@@ -1,5 +1,7 @@
 #include "scree/app/speed_estimate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,6 +44,22 @@ FlowSpeeds sampled(const Case& c, const Expression3& text) {
   });
   speeds.mean /= std::max(1.0, samples);
   return speeds;
+}
+
+/// The largest weight of a free particle over its mass and g: 1 unless the fluid lifts it.
+double strongest_weight(const Case& c, const std::vector<BodyKind>& kinds) {
+  if (c.flow.type == "none" || !c.flow.buoyancy) return 1;
+  double strongest = 0;
+  for (const BodyKind& kind : kinds)
+    if (kind.free) strongest = std::max(strongest, std::abs(1 - c.flow.density / kind.density));
+  return strongest;
+}
+
+/// The axes along which uniform gravity pulls particles round and round.
+bool falls_without_end(const Case& c) {
+  bool endless = false;
+  for (int k = 0; k < 3; ++k) endless = endless || (c.domain.periodic[k] && c.gravity.acceleration[k] != 0);
+  return c.gravity.type == "uniform" && endless;
 }
 
 /// Twice the energy per mass that a fall through the domain can release [m2/s2].
@@ -101,6 +119,22 @@ double terminal_speed(const Case& c, const std::vector<BodyKind>& kinds, double 
   return fastest;
 }
 
+/// `top` increased by a fall through the domain, and where that comes from.
+TopSpeed after_fall(const Case& c, const std::vector<BodyKind>& kinds, const TopSpeed& top) {
+  const double weight = strongest_weight(c, kinds), energy = weight * fall_energy(c);
+  if (energy == 0) return top;
+  double extent2 = 0;
+  for (int k = 0; k < 3; ++k) extent2 += std::pow(c.domain.max[k] - c.domain.min[k], 2);
+  const double pull =
+      c.gravity.type == "uniform" ? weight * length(c.gravity.acceleration) : energy / std::sqrt(extent2);
+  const double settling = terminal_speed(c, kinds, pull), fallen = std::sqrt(top.value * top.value + energy);
+  const std::string start = top.value > 0 ? fmt::format("{:.4g} m/s from {}, then ", top.value, top.source) : "";
+  const bool endless = falls_without_end(c);
+  if (top.value + settling < fallen || (endless && std::isfinite(settling)))
+    return {top.value + settling, fmt::format("{}sinking at up to {:.4g} m/s, Stokes", start, settling)};
+  return {fallen, fmt::format("{}a fall through {} without drag", start, endless ? "one period" : "the domain")};
+}
+
 }  // namespace
 
 FlowSpeeds flow_speeds(const Case& c) {
@@ -130,19 +164,12 @@ double relaxation_time(const Case& c, double density, double diameter) {
 
 TopSpeed top_speed(const Case& c, const std::vector<BodyKind>& kinds) {
   if (c.simulation.top_speed) return {*c.simulation.top_speed, "simulation.top_speed"};
-  TopSpeed top{fastest_at_start(c, kinds), "velocities at the start"};
+  TopSpeed top{fastest_at_start(c, kinds), "the start"};
   const double flow = c.flow.drag == "none" ? 0.0 : flow_speeds(c).fastest;
-  if (flow > top.value) top = {flow, "fastest flow"};
-  const double energy = fall_energy(c);
-  if (energy > 0) {
-    double extent2 = 0;
-    for (int k = 0; k < 3; ++k) extent2 += std::pow(c.domain.max[k] - c.domain.min[k], 2);
-    const double pull = c.gravity.type == "uniform" ? length(c.gravity.acceleration) : energy / std::sqrt(extent2);
-    const double fallen = std::sqrt(top.value * top.value + energy);
-    top = {std::min(fallen, top.value + terminal_speed(c, kinds, pull)), "fall through the domain"};
-  }
+  if (flow > top.value) top = {flow, "the fastest flow"};
+  top = after_fall(c, kinds, top);
   const double rotation = rotation_speed(c);
-  if (rotation > 0) top = {top.value + rotation, "rotation of the frame"};
+  if (rotation > 0) top = {top.value + rotation, "rotation of the frame, added to " + top.source};
   return top;
 }
 

@@ -29,8 +29,9 @@ struct TopSpeed {
 /// simulation.top_speed if given. Else the largest of: the relative speeds of two groups, or of a group and a wall, at
 /// the start (random velocities count with four standard deviations); with drag, the fastest flow; and, with a body
 /// force, the speed v of the start increased by a fall through the domain, sqrt(v^2 + 2 sum |g_k| L_k), of which drag
-/// leaves at most v plus the terminal speed of Stokes for the largest particle. A rotating frame adds the speed of its
-/// farthest corner.
+/// leaves at most v plus the terminal speed of Stokes for the largest particle. Along a periodic axis the fall has no
+/// end: drag decides, or without it one period counts. Buoyancy counts where it is on. A rotating frame adds the speed
+/// of its farthest corner.
 TopSpeed top_speed(const Case& c, const std::vector<BodyKind>& kinds);
 
 }  // namespace scree

@@ -47,6 +47,7 @@ struct FlowKeys {
   std::string drag = "none";  // none, stokes, schiller_naumann
   double density = 0;         // [kg/m3]
   double viscosity = 0;       // dynamic [Pa s]
+  bool buoyancy = false;      // the fluid takes its part of the weight in uniform gravity
   Vec3 velocity{};            // uniform [m/s]
   double amplitude = 0;       // Taylor-Green A [m/s]
   double wavenumber = 0;      // Taylor-Green a [1/m]

@@ -63,6 +63,14 @@ void check_flow(const Check& check) {
   if (f.drag == "schiller_naumann" && f.density == 0 && check.sound({"flow.density", "flow.drag", "flow.type"}))
     check.fail("E163", "flow.drag", "drag = 'schiller_naumann' needs the density of the fluid", "'density' is missing",
                "add 'density'   (scree explain flow.density)");
+  if (!f.buoyancy || !check.sound({"flow.buoyancy", "flow.density", "flow.type", "gravity"})) return;
+  if (f.density == 0)
+    check.fail("E163", "flow.buoyancy", "buoyancy needs the density of the fluid", "'density' is missing",
+               "add 'density'   (scree explain flow.density)");
+  if (check.c.gravity.type != "uniform")
+    check.fail("E164", "flow.buoyancy", "buoyancy belongs to uniform gravity",
+               fmt::format("gravity.type is '{}'", check.c.gravity.type),
+               "set gravity.type = 'uniform', or remove 'buoyancy'");
 }
 
 /// Ids of tracks can be checked when the number of particles is known before they are placed.

@@ -56,13 +56,17 @@ const Section& flow_section() {
            "= 1000")
            .one_of({"none", "stokes", "schiller_naumann"})
            .only_with("type", flowing),
-       key("density", &S::density, "of the fluid; schiller_naumann needs it")
+       key("density", &S::density, "of the fluid; schiller_naumann and buoyancy need it")
            .unit("kg/m3")
            .at_least(0)
            .only_with("type", flowing),
        key("viscosity", &S::viscosity, "dynamic viscosity of the fluid; any drag needs it")
            .unit("Pa s")
            .at_least(0)
+           .only_with("type", flowing),
+       key("buoyancy", &S::buoyancy,
+           "whether the fluid carries its part of the weight: particles then fall in uniform gravity g with "
+           "g (1 - fluid density / particle density)")
            .only_with("type", flowing),
        key("velocity", &S::velocity, "of the uniform flow").unit("m/s").required().only_with("type", {"uniform"}),
        key("amplitude", &S::amplitude, "A of the Taylor-Green flow")

@@ -1,6 +1,7 @@
 #include "scree/particles/fields.h"
 
 #include "scree/compute/team.h"
+#include "scree/particles/sizes.h"
 #include "scree/physics/body/central.h"
 #include "scree/physics/body/rotating_frame.h"
 #include "scree/physics/flow/shear.h"
@@ -43,11 +44,17 @@ sc_vec stream_at(const Fields& f, std::optional<VectorExpression>& formula, sc_v
   }
 }
 
+/// Mass of the displaced fluid over the mass of the particle (Archimedes); 0 for infinite mass.
+double displaced_share(const Fields& f, const Particles& particles, std::int64_t p) {
+  const double* m = particles.motion.row(p);
+  return f.density * sphere_volume(2 * m[lane::radius]) * m[lane::inverse_mass];
+}
+
 }  // namespace
 
 bool act_locally(const Fields& f) {
   return f.body == BodyForce::central || f.body == BodyForce::expression || f.body == BodyForce::rotating ||
-         f.drag != SC_DRAG_NONE;
+         f.drag != SC_DRAG_NONE || f.buoyancy;
 }
 
 sc_vec frame_rotation(const Fields& f, double time) {
@@ -73,6 +80,8 @@ void evaluate(const Fields& fields, const Particles& particles, double time, Buf
     for (std::int64_t p = 0; p < n; ++p) {
       const sc_vec x = sc_make_vec(motion[8 * p], motion[8 * p + 1], motion[8 * p + 2]);
       out[p].acceleration = acceleration_at(f, acceleration, x, time);
+      if (f.buoyancy)
+        out[p].acceleration = sc_sub(out[p].acceleration, sc_scale(displaced_share(f, particles, p), f.uniform));
       out[p].fluid = stream_at(f, velocity, x, time);
     }
   }

@@ -37,9 +37,10 @@ struct Fields {
   double shear_origin = 0;  // [m]
   std::optional<VectorExpression> velocity;
 
-  int drag = 0;          // SC_DRAG_...
-  double density = 0;    // of the fluid [kg/m3]
-  double viscosity = 0;  // of the fluid [Pa s]
+  int drag = 0;           // SC_DRAG_...
+  double density = 0;     // of the fluid [kg/m3]
+  double viscosity = 0;   // of the fluid [Pa s]
+  bool buoyancy = false;  // the fluid carries its part of the weight in uniform gravity
 };
 
 /// True if some particle needs more than uniform gravity.

@@ -63,6 +63,10 @@ class Table {
   }
 
   void read_header() {
+    for (const char separator : {';', '\t'})
+      if (line_.find(separator) != line_.npos && line_.find(',') == line_.npos)
+        fail(fmt::format("the columns are separated by {}", separator == ';' ? "semicolons" : "tabs"),
+             "separate columns by commas, and write decimals with a point: x,y,z and 0.5,1.25,2");
     place_.fill(-1);
     const auto names = split(line_);
     width_ = names.size();

@@ -109,6 +109,8 @@ double reach_beyond_bodies(const ParticleSystem& s) {
   return s.laws.cohesion == SC_COHESION_LINEAR ? 2 * largest_effect_excess(s.particles) : longest_neck(s);
 }
 
+double longest_range(const ParticleSystem& s) { return 2 * largest_radius(s.particles) + reach_beyond_bodies(s); }
+
 ContactLists prepare_lists(const ParticleSystem& s, double skin) {
   ContactLists lists;
   lists.kernels = sweep_kernels(s.laws, s.materials.count());

@@ -57,6 +57,9 @@ SweepView view_of(ParticleSystem& system, ContactLists& lists, const sc_move& mo
 /// The square of the largest speed of all particles [m2/s2].
 double fastest_square(const Particles& particles);
 
+/// Greatest distance of two centres at which bodies of the system may act on each other [m].
+double longest_range(const ParticleSystem& system);
+
 /// Longest range of interaction between two particle surfaces of the system's bodies, beyond their bodies [m].
 double reach_beyond_bodies(const ParticleSystem& system);
 
