@@ -91,7 +91,7 @@ struct alignas(64) Stages {
   b.loss_normal[i] = action.loss_normal;
   b.gx[i] = b.gy[i] = b.gz[i] = b.loss_sliding[i] = R(0);
   b.touching[i] = action.touching ? R(1) : R(0);
-  b.depth[i] = R(0.5) * t.touch.overlap * b.ir[i];
+  b.depth[i] = t.touch.overlap * b.inverse_smaller[i];
   b.approach[i] = g.memory.approach;
   b.qv[i] = action.touching ? g.memory.approach : R(0);
 }
