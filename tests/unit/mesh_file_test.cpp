@@ -161,6 +161,20 @@ TEST(MeshWeld, JoinsWhatIsCloserThanTheTolerance) {
   EXPECT_EQ(report_mesh(stl_mesh(torn)).vertices, 9);
 }
 
+TEST(MeshWeld, JoinsAcrossTheCellsItLooksIn) {
+  // The diagonal is 5, so the tolerance is 5e-9 and the cells are 5e-6 wide.
+  Mesh loose;
+  loose.vertices = {sc_make_vec(0, 0, 0), sc_make_vec(3, 4, 0), sc_make_vec(0, 1, 0), sc_make_vec(0, 2, 0)};
+  loose.triangles.push_back({0, 1, 2});
+  constexpr int pairs = 100;
+  for (int k = 1; k <= pairs; ++k)
+    for (int side : {-1, 1}) {
+      loose.triangles.push_back({static_cast<int>(loose.vertices.size()), 1, side < 0 ? 2 : 3});
+      loose.vertices.push_back(sc_make_vec(5e-3 * k + 1e-9 * side, 0, 0));
+    }
+  EXPECT_EQ(weld(loose).vertices.size(), 4u + pairs);
+}
+
 TEST(MeshWeld, LeavesOutWhatHasNoAreaAndWhatIsThere) {
   Triangles triangles = box();
   triangles.push_back({triangles[3][1], triangles[3][0], triangles[3][2]});
