@@ -151,6 +151,27 @@ TEST(Fields, DragFollowsATaylorGreenVortex) {
                       integrated(start, 1, acceleration), 1e-4);
 }
 
+TEST(Fields, OfManyParticlesAreThoseOfEachByItself) {
+  Particles particles;
+  particles.resize(301);  // some blocks and a rest
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) particles.motion.row(i)[k] = std::sin(static_cast<double>(7 * i + k));
+  Fields f;
+  f.flow = FlowKind::taylor_green;
+  f.amplitude = 0.7;
+  f.wavenumber = 5;
+  for (const char* isa : instruction_sets()) {
+    const InstructionSet chosen(isa);
+    Buffer<sc_field> field;
+    evaluate(f, particles, 0, sweep_kernels({}, 1), field);
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      const Vector u = flow_velocity(f, particles.motion.row(i), 0);
+      ASSERT_EQ(u, (Vector{field[i].fluid.x, field[i].fluid.y, field[i].fluid.z})) << isa << ", particle " << i;
+      ASSERT_EQ(sc_dot(field[i].acceleration, field[i].acceleration), 0);
+    }
+  }
+}
+
 TEST(Fields, DragInAnyFlowMatchesTheEquationOfMotion) {
   const double mu = 4e-4, rate = rate_of(mu);
   const Motion start = {{0.4, 0.7, 0.2}, {0.1, 0, -0.2}};

@@ -35,7 +35,7 @@ void Simulation::refresh_neighbours() {
 void Simulation::evaluate_fields() {
   if (!act_locally(fields_)) return;
   const Stopwatch watch(stages_, "fields");
-  evaluate(fields_, system_.particles, clock_.now(), field_);
+  evaluate(fields_, system_.particles, clock_.now(), lists_.kernels, field_);
 }
 
 /// Contacts, kick and drift in one pass: each tile of particles passes through the cache once.

@@ -1,6 +1,8 @@
 #include "scree/data/particles.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <memory>
 
 namespace scree {
 
@@ -10,15 +12,25 @@ void Particles::resize(std::size_t n) {
 }
 
 void Particles::permute(const std::vector<std::uint32_t>& order) {
+  std::size_t widest = 0;
+  for_each_field([&](auto, auto& column, auto...) {
+    widest = std::max(widest, column.values.size() * sizeof(*column.values.data()));
+  });
+  // By way of memory that nobody clears and back: new columns would be cleared by one thread, page by page.
+  const auto scratch = std::make_unique_for_overwrite<std::byte[]>(widest);
   for_each_field([&](auto, auto& column, auto...) {
     using C = std::remove_reference_t<decltype(column)>;
-    Buffer<typename C::value_type> moved(column.values.size());
-    const auto* from = column.values.data();
-    auto* to = moved.data();
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < order.size(); ++i)
-      std::copy_n(from + std::size_t{order[i]} * C::components, C::components, to + i * C::components);
-    column.values = std::move(moved);
+    auto* rows = column.values.data();
+    auto* moved = reinterpret_cast<typename C::value_type*>(scratch.get());
+#pragma omp parallel
+    {
+#pragma omp for schedule(static)
+      for (std::size_t i = 0; i < order.size(); ++i)
+        std::copy_n(rows + std::size_t{order[i]} * C::components, C::components, moved + i * C::components);
+#pragma omp for schedule(static)
+      for (std::size_t i = 0; i < order.size(); ++i)
+        std::copy_n(moved + i * C::components, C::components, rows + i * C::components);
+    }
   });
 }
 

@@ -1,5 +1,7 @@
 #include "scree/particles/fields.h"
 
+#include <algorithm>
+
 #include "scree/compute/team.h"
 #include "scree/particles/sizes.h"
 #include "scree/physics/body/central.h"
@@ -50,6 +52,8 @@ double displaced_share(const Fields& f, const Particles& particles, std::int64_t
   return f.density * sphere_volume(2 * m[lane::radius]) * m[lane::inverse_mass];
 }
 
+constexpr std::int64_t block = 128;  // particles whose rows stay in the first cache
+
 }  // namespace
 
 bool act_locally(const Fields& f) {
@@ -67,7 +71,8 @@ std::array<double, 3> flow_velocity(Fields& f, const double* p, double time) {
   return {u.x, u.y, u.z};
 }
 
-void evaluate(const Fields& fields, const Particles& particles, double time, Buffer<sc_field>& out) {
+void evaluate(const Fields& fields, const Particles& particles, double time, const SweepKernels& kernels,
+              Buffer<sc_field>& out) {
   const std::int64_t n = static_cast<std::int64_t>(particles.size());
   out.resize(particles.size());
   const double* motion = particles.motion.values.data();
@@ -76,13 +81,18 @@ void evaluate(const Fields& fields, const Particles& particles, double time, Buf
     // A formula keeps its variables inside: every thread has its own.
     auto acceleration = fields.acceleration, velocity = fields.velocity;
     const Fields& f = fields;
+    const bool vortices = f.flow == FlowKind::taylor_green;
 #pragma omp for schedule(static)
-    for (std::int64_t p = 0; p < n; ++p) {
-      const sc_vec x = sc_make_vec(motion[8 * p], motion[8 * p + 1], motion[8 * p + 2]);
-      out[p].acceleration = acceleration_at(f, acceleration, x, time);
-      if (f.buoyancy)
-        out[p].acceleration = sc_sub(out[p].acceleration, sc_scale(displaced_share(f, particles, p), f.uniform));
-      out[p].fluid = stream_at(f, velocity, x, time);
+    for (std::int64_t begin = 0; begin < n; begin += block) {
+      const std::int64_t end = std::min(n, begin + block);
+      for (std::int64_t p = begin; p < end; ++p) {
+        const sc_vec x = sc_make_vec(motion[8 * p], motion[8 * p + 1], motion[8 * p + 2]);
+        out[p].acceleration = acceleration_at(f, acceleration, x, time);
+        if (f.buoyancy)
+          out[p].acceleration = sc_sub(out[p].acceleration, sc_scale(displaced_share(f, particles, p), f.uniform));
+        if (!vortices) out[p].fluid = stream_at(f, velocity, x, time);
+      }
+      if (vortices) kernels.taylor_green(motion, f.amplitude, f.wavenumber, begin, end, out.data());
     }
   }
 }

@@ -10,6 +10,7 @@
 #include "scree/compute/buffer.h"
 #include "scree/data/particles.h"
 #include "scree/kernels/move_sphere.h"
+#include "scree/particles/sweep_view.h"
 
 namespace scree {
 
@@ -54,6 +55,7 @@ std::array<double, 3> flow_velocity(Fields& fields, const double* position, doub
 
 /// Fills out[p] for every particle with what acts at its place at `time`. Coriolis forces depend on the velocity and
 /// are part of the motion (sc_move), not of the field.
-void evaluate(const Fields& fields, const Particles& particles, double time, Buffer<sc_field>& out);
+void evaluate(const Fields& fields, const Particles& particles, double time, const SweepKernels& kernels,
+              Buffer<sc_field>& out);
 
 }  // namespace scree

@@ -1,6 +1,7 @@
 // The pass over the contacts, compiled once for each instruction set: SCREE_ISA names it.
 #include "scree/particles/sweep_isa.h"
 
+#include "scree/particles/sweep_flow.h"
 #include "scree/particles/sweep_move.h"
 
 namespace scree {
@@ -46,7 +47,7 @@ using LinearCohesive =
 }  // namespace
 
 SweepKernels SCREE_ISA(const sc_laws& laws, int materials) {
-  SweepKernels out{advance<AnyLaws, false>, advance_deferred<AnyLaws>, nullptr};
+  SweepKernels out{advance<AnyLaws, false>, advance_deferred<AnyLaws>, taylor_green, nullptr};
   // The combinations worth compiling on their own; all others share one pass that takes the law in
   // stages (sweep_stages.h).
   choose<HertzMindlin>(laws, materials, out) || choose<LinearHistory>(laws, materials, out) ||

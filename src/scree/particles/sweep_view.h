@@ -88,10 +88,13 @@ struct SweepFindings {
 };
 
 /// One thread's part of a pass: all pairs of the owners in tiles [0, count), then the motion of those particles that
-/// no other range shares; and the motion of the shared ones, after every thread has done its part.
+/// no other range shares; and the motion of the shared ones, after every thread has done its part. Before the pass,
+/// the fluid velocity of Taylor-Green vortices at particles [begin, end).
 struct SweepKernels {
   void (*advance)(const SweepView&, const std::int32_t* tiles, int count, SweepFindings&);
   void (*advance_deferred)(const SweepView&, const std::int32_t* particles, int count, SweepFindings&);
+  void (*taylor_green)(const double* motion, double amplitude, double wavenumber, std::int64_t begin, std::int64_t end,
+                       sc_field*);
   const char* name;
 };
 
