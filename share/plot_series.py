@@ -19,6 +19,7 @@ EXCHANGES = {
     "dissipated_rolling": "lost: rolling",
     "work_drag": "work of drag",
     "work_prescribed": "work of moving bodies",
+    "work_walls": "work of walls",
 }
 
 

@@ -458,16 +458,16 @@ TEST(Build, InnerBoxIsSixRectanglesAndARoom) {
   const Walls walls = build_walls(c);
   ASSERT_EQ(walls.size(), 8u);
   EXPECT_EQ(walls.faces[0].kind, SC_WALL_PLANE);
-  EXPECT_EQ(walls.faces[0].normal.z, 1);
+  EXPECT_EQ(walls.faces[0].b.z, 1);
   EXPECT_EQ(walls.faces[7].kind, SC_WALL_SOLID_BOX);
-  EXPECT_EQ(walls.owner, (std::vector<std::int32_t>{0, 1, 1, 1, 1, 1, 1, 2}));
+  for (int face = 0; face < 8; ++face) EXPECT_EQ(walls.faces[face].body, (face + 5) / 6) << face;
   ASSERT_EQ(walls.rooms.size(), 1u);
   EXPECT_EQ(walls.rooms[0].max[2], 0.3);
   for (int face = 1; face <= 6; ++face) {
     const sc_wall& w = walls.faces[face];
     EXPECT_EQ(w.kind, SC_WALL_RECTANGLE);
     EXPECT_EQ(w.material, 1);
-    const double low[3] = {w.low.x, w.low.y, w.low.z}, high[3] = {w.high.x, w.high.y, w.high.z};
+    const double low[3] = {w.a.x, w.a.y, w.a.z}, high[3] = {w.b.x, w.b.y, w.b.z};
     for (int k = 0; k < 3; ++k) {
       const bool flat = k == (face - 1) / 2;
       EXPECT_EQ(low[k], flat && face % 2 == 0 ? box.max[k] : box.min[k]) << face << k;

@@ -1,5 +1,5 @@
 // The tree of boxes finds what a look at every box finds.
-#include "scree/particles/face_tree.h"
+#include "scree/data/face_tree.h"
 
 #include <gtest/gtest.h>
 

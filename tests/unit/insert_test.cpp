@@ -237,15 +237,11 @@ TEST(Insert, RandomPlacesKeepClearOfWalls) {
   InsertionSetting s = box(1, true);
   Walls walls;
   walls.names = {"floor", "block"};
-  walls.owner = {0, 1};
-  sc_wall plane{}, block{};
-  plane.kind = SC_WALL_PLANE;
-  plane.point = {0, 0, 0.3};
-  plane.normal = {0, 0, 1};
-  block.kind = SC_WALL_SOLID_BOX;
-  block.low = {0.4, 0.4, 0.3};
-  block.high = {0.7, 0.7, 0.8};
-  walls.faces = {plane, block};
+  walls.faces = {sc_wall_plane({0, 0, 0.3}, {0, 0, 1}),
+                 sc_wall_block(SC_WALL_SOLID_BOX, {0.4, 0.4, 0.3}, {0.7, 0.7, 0.8})};
+  walls.faces[1].body = 1;
+  walls.poses.resize(2, sc_wall_at_home());
+  plant_trees(walls);
   s.walls = &walls;
   const ParticleGroup g = group_in(s, Placement::random, 0.05, 500);
   const Particles p = insert_particles({g}, s);
@@ -296,11 +292,9 @@ TEST(Insert, BadPlacesAreRefusedByName) {
   EXPECT_EQ(message_of({g}, s), "");
   Walls walls;
   walls.names = {"floor"};
-  walls.owner = {0};
-  walls.faces.resize(1);
-  walls.faces[0].kind = SC_WALL_PLANE;
-  walls.faces[0].point = {0, 0, 0.48};
-  walls.faces[0].normal = {0, 0, 1};
+  walls.faces = {sc_wall_plane({0, 0, 0.48}, {0, 0, 1})};
+  walls.poses = {sc_wall_at_home()};
+  plant_trees(walls);
   s.walls = &walls;
   expect_has(message_of({g}, s), {"particle 0", "in the wall 'floor'", "60 % of its radius"});
   g.free = false;  // fixed particles may be anywhere

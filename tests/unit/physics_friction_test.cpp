@@ -143,12 +143,10 @@ struct OnPlane {
     s.position = sc_make_vec(0, s.radius - 0.01 * 9.81 / 1e4, 0);
   }
   void step(double dt) {
-    sc_wall plane{};
-    plane.kind = SC_WALL_PLANE;
-    plane.normal = sc_make_vec(0, 1, 0);
+    const sc_wall plane = sc_wall_plane(sc_zero_vec(), sc_make_vec(0, 1, 0));
     s.position = sc_add_scaled(s.position, dt, s.velocity);
     s.rim_speed = sc_scale(s.radius, s.spin);
-    const sc_sphere_touch t = sc_touch_wall(s, plane);
+    const sc_sphere_touch t = sc_touch_wall(s, plane, sc_wall_at_home());
     const sc_contact_result r = sc_contact_act(laws, law, t.touch, sc_contact_time{dt, dt / 2, dt}, state);
     state = r.state;
     loss += r.action.loss_normal + r.action.loss_sliding + r.action.loss_rolling;

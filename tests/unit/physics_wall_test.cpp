@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "scree/physics/touch/wall.h"
+#include "scree/physics/touch/sphere_wall.h"
 
 namespace {
 
@@ -18,11 +18,7 @@ sc_sphere_wall ball(sc_vec x, double radius) {
 }
 
 sc_wall block(int kind, sc_vec low, sc_vec high) {
-  sc_wall w{};
-  w.kind = kind;
-  w.low = low;
-  w.high = high;
-  return w;
+  return sc_wall_block(kind, low, high);
 }
 
 /// Distance to the nearest of the points of a fine grid over the block.
@@ -32,22 +28,19 @@ double brute_distance(const sc_wall& w, sc_vec x) {
   for (int i = 0; i <= n; ++i)
     for (int j = 0; j <= n; ++j)
       for (int k = 0; k <= n; ++k) {
-        const sc_vec p = sc_make_vec(w.low.x + (w.high.x - w.low.x) * i / n, w.low.y + (w.high.y - w.low.y) * j / n,
-                                     w.low.z + (w.high.z - w.low.z) * k / n);
+        const sc_vec p = sc_make_vec(w.a.x + (w.b.x - w.a.x) * i / n, w.a.y + (w.b.y - w.a.y) * j / n,
+                                     w.a.z + (w.b.z - w.a.z) * k / n);
         best = std::min(best, sc_norm(sc_sub(p, x)));
       }
   return best;
 }
 
 TEST(Wall, PlaneIsOneSided) {
-  sc_wall w{};
-  w.kind = SC_WALL_PLANE;
-  w.point = sc_make_vec(0, 0, 1);
-  w.normal = sc_make_vec(0, 0.6, 0.8);
+  const sc_wall w = sc_wall_plane(sc_make_vec(0, 0, 1), sc_make_vec(0, 0.6, 0.8));
   sc_sphere_wall s = ball(sc_make_vec(3, 0.9 * 0.6, 1 + 0.9 * 0.8), 1);
   s.velocity = sc_make_vec(0, 0, -1);
   s.rim_speed = sc_make_vec(2, 0, 0);
-  const sc_sphere_touch t = sc_touch_wall(s, w);
+  const sc_sphere_touch t = sc_touch_wall(s, w, sc_wall_at_home());
   EXPECT_NEAR(t.touch.overlap, 0.1, 1e-15);
   EXPECT_NEAR(t.touch.reach, 0.15, 1e-15);
   EXPECT_NEAR(t.lever, 0.9, 1e-15);
@@ -60,8 +53,8 @@ TEST(Wall, PlaneIsOneSided) {
   EXPECT_NEAR(sc_norm(sc_sub(t.touch.velocity, expected)), 0, 1e-15);
   // Behind the plane the overlap grows and the wall still pushes to the front.
   s.position = sc_make_vec(0, -0.6, 1 - 0.8);
-  EXPECT_NEAR(sc_touch_wall(s, w).touch.overlap, 2, 1e-15);
-  EXPECT_EQ(sc_touch_wall(s, w).touch.normal.z, -0.8);
+  EXPECT_NEAR(sc_touch_wall(s, w, sc_wall_at_home()).touch.overlap, 2, 1e-15);
+  EXPECT_EQ(sc_touch_wall(s, w, sc_wall_at_home()).touch.normal.z, -0.8);
 }
 
 TEST(Wall, FacesEdgesAndCornersByBruteForce) {
@@ -74,7 +67,7 @@ TEST(Wall, FacesEdgesAndCornersByBruteForce) {
   for (const sc_wall& w : walls)
     for (int i = 0; i < 40; ++i) {
       const sc_vec x = sc_make_vec(u(random), u(random), u(random));
-      const sc_sphere_touch t = sc_touch_wall(ball(x, 1), w);
+      const sc_sphere_touch t = sc_touch_wall(ball(x, 1), w, sc_wall_at_home());
       const double distance = 1 - t.touch.overlap;
       if (distance < 0) continue;  // inside
       EXPECT_NEAR(distance, brute_distance(w, x), 3e-3);
@@ -87,23 +80,23 @@ TEST(Wall, FacesEdgesAndCornersByBruteForce) {
 
 TEST(Wall, CornerAndEdgeAreExact) {
   const sc_wall w = block(SC_WALL_SOLID_BOX, sc_make_vec(0, 0, 0), sc_make_vec(1, 1, 1));
-  const sc_sphere_touch corner = sc_touch_wall(ball(sc_make_vec(-1, -2, -2), 4), w);
+  const sc_sphere_touch corner = sc_touch_wall(ball(sc_make_vec(-1, -2, -2), 4), w, sc_wall_at_home());
   EXPECT_EQ(corner.touch.overlap, 1);
   EXPECT_NEAR(corner.touch.normal.y, 2.0 / 3, 1e-16);
-  const sc_sphere_touch edge = sc_touch_wall(ball(sc_make_vec(-3, -4, 0.5), 6), w);
+  const sc_sphere_touch edge = sc_touch_wall(ball(sc_make_vec(-3, -4, 0.5), 6), w, sc_wall_at_home());
   EXPECT_EQ(edge.touch.overlap, 1);
   EXPECT_EQ(edge.touch.normal.z, 0);
 }
 
 TEST(Wall, InsideABoxTheNearestFaceLetsOut) {
   const sc_wall w = block(SC_WALL_SOLID_BOX, sc_make_vec(0, 0, 0), sc_make_vec(1, 1, 1));
-  const sc_sphere_touch t = sc_touch_wall(ball(sc_make_vec(0.5, 0.9, 0.4), 0.2), w);
+  const sc_sphere_touch t = sc_touch_wall(ball(sc_make_vec(0.5, 0.9, 0.4), 0.2), w, sc_wall_at_home());
   EXPECT_NEAR(t.touch.overlap, 0.3, 1e-15);
   EXPECT_EQ(t.touch.normal.y, -1);  // the wall is below: the force, against the normal, pushes up
   EXPECT_EQ(t.touch.normal.x, 0);
   // Just outside and just inside agree.
-  const sc_sphere_touch out = sc_touch_wall(ball(sc_make_vec(0.5, 1 + 1e-9, 0.4), 0.2), w);
-  const sc_sphere_touch in = sc_touch_wall(ball(sc_make_vec(0.5, 1 - 1e-9, 0.4), 0.2), w);
+  const sc_sphere_touch out = sc_touch_wall(ball(sc_make_vec(0.5, 1 + 1e-9, 0.4), 0.2), w, sc_wall_at_home());
+  const sc_sphere_touch in = sc_touch_wall(ball(sc_make_vec(0.5, 1 - 1e-9, 0.4), 0.2), w, sc_wall_at_home());
   EXPECT_NEAR(out.touch.overlap, in.touch.overlap, 3e-9);
   EXPECT_EQ(out.touch.normal.y, in.touch.normal.y);
 }
@@ -112,22 +105,22 @@ TEST(Wall, ACentreExactlyOnASurfaceHasAUnitNormal) {
   const sc_wall box = block(SC_WALL_SOLID_BOX, sc_make_vec(0, 0, 0), sc_make_vec(1, 1, 1));
   const sc_wall sheet = block(SC_WALL_RECTANGLE, sc_make_vec(0, 0.5, 0), sc_make_vec(1, 0.5, 1));
   for (const sc_vec x : {sc_make_vec(0.3, 0.5, 0.2), sc_make_vec(0, 0.5, 0), sc_make_vec(1, 0.5, 1)}) {
-    const sc_sphere_touch t = sc_touch_wall(ball(x, 0.1), sheet);
+    const sc_sphere_touch t = sc_touch_wall(ball(x, 0.1), sheet, sc_wall_at_home());
     EXPECT_NEAR(t.touch.overlap, 0.1, 1e-15);
     EXPECT_EQ(std::abs(t.touch.normal.y) + std::abs(t.touch.normal.x) + std::abs(t.touch.normal.z), 1);
   }
   for (const sc_vec x : {sc_make_vec(0, 0, 0), sc_make_vec(1, 0.5, 0.5), sc_make_vec(0.5, 0.5, 0.5)}) {
-    const sc_sphere_touch t = sc_touch_wall(ball(x, 0.1), box);
+    const sc_sphere_touch t = sc_touch_wall(ball(x, 0.1), box, sc_wall_at_home());
     EXPECT_EQ(sc_norm(t.touch.normal), 1);
     EXPECT_GE(t.touch.overlap, 0.1);
   }
-  EXPECT_EQ(sc_touch_wall(ball(sc_make_vec(1, 0.5, 0.5), 0.1), box).touch.normal.x, -1);
+  EXPECT_EQ(sc_touch_wall(ball(sc_make_vec(1, 0.5, 0.5), 0.1), box, sc_wall_at_home()).touch.normal.x, -1);
 }
 
 TEST(Wall, RectangleIsTwoSided) {
   const sc_wall sheet = block(SC_WALL_RECTANGLE, sc_make_vec(0, 0.5, 0), sc_make_vec(1, 0.5, 1));
-  EXPECT_EQ(sc_touch_wall(ball(sc_make_vec(0.5, 0.6, 0.5), 0.2), sheet).touch.normal.y, -1);
-  EXPECT_EQ(sc_touch_wall(ball(sc_make_vec(0.5, 0.4, 0.5), 0.2), sheet).touch.normal.y, 1);
+  EXPECT_EQ(sc_touch_wall(ball(sc_make_vec(0.5, 0.6, 0.5), 0.2), sheet, sc_wall_at_home()).touch.normal.y, -1);
+  EXPECT_EQ(sc_touch_wall(ball(sc_make_vec(0.5, 0.4, 0.5), 0.2), sheet, sc_wall_at_home()).touch.normal.y, 1);
 }
 
 TEST(SphereSphere, GeometryAndVelocityAtTheContact) {

@@ -101,7 +101,7 @@ struct Plain {
     return sc_touch_spheres(p);
   }
 
-  sc_sphere_touch touch(const Body& b, const sc_wall& wall) const {
+  sc_sphere_touch touch(const Body& b, std::size_t face) const {
     sc_sphere_wall s;
     s.position = sc_make_vec(b.x[0], b.x[1], b.x[2]);
     s.velocity = sc_make_vec(b.v[0], b.v[1], b.v[2]);
@@ -110,7 +110,7 @@ struct Plain {
     s.radius = b.radius;
     s.inverse_mass = b.inverse_mass;
     s.excess = b.excess;
-    return sc_touch_wall(s, wall);
+    return sc_touch_wall(s, walls.faces[face], walls.pose_of(face));
   }
 
   /// Evaluates a contact that acts, or acted; keeps or forgets its memory.
@@ -146,7 +146,7 @@ struct Plain {
       if (body[i].inverse_mass == 0) continue;
       Feels on_wall;
       for (std::size_t f = 0; f < walls.size(); ++f) {
-        const sc_sphere_touch t = touch(body[i], walls.faces[f]);
+        const sc_sphere_touch t = touch(body[i], f);
         sc_contact_result r;
         if (act(on_walls, {i, static_cast<std::int64_t>(f)}, t,
                 materials.pair(body[i].material, walls.faces[f].material), r))

@@ -27,7 +27,7 @@ struct Account {
   const char* what;  // in messages
 };
 
-constexpr std::array<Account, 10> accounts{{
+constexpr std::array<Account, 11> accounts{{
     {&Measured::kinetic, 1, true, "kinetic energy"},
     {&Measured::rotational, 1, true, "rotational energy"},
     {&Measured::elastic, 1, true, "elastic energy"},
@@ -35,6 +35,7 @@ constexpr std::array<Account, 10> accounts{{
     {&Measured::body_work, -1, false, "work of body forces"},
     {&Measured::drag_work, -1, false, "work of drag"},
     {&Measured::prescribed_work, -1, false, "work of prescribed bodies"},
+    {&Measured::wall_work, -1, false, "work of walls"},
     {&Measured::dissipated_normal, 1, false, "loss by normal damping"},
     {&Measured::dissipated_sliding, 1, false, "loss by sliding"},
     {&Measured::dissipated_rolling, 1, false, "loss by rolling"},
@@ -65,8 +66,8 @@ double moved(const Measured& before, const Measured& after) {
 double LedgerRow::relative_energy_error() const { return relative(energy_error, turnover); }
 
 std::span<const std::string> ledger_channels() {
-  static const std::array<std::string, 8> names{"normal", "sliding",    "rolling",          "drag",
-                                                "body",   "prescribed", "momentum_impulse", "angular_impulse"};
+  static const std::array<std::string, 9> names{"normal", "sliding",    "rolling",          "drag",
+                                                "body",   "prescribed", "walls", "momentum_impulse", "angular_impulse"};
   return names;
 }
 
@@ -84,6 +85,8 @@ void leave_out(Measured& measured, std::span<const std::string> channels) {
       measured.body_work = 0;
     } else if (name == "prescribed") {
       measured.prescribed_work = 0;
+    } else if (name == "walls") {
+      measured.wall_work = 0;
     } else if (name == "momentum_impulse") {
       measured.impulse = {};
     } else if (name == "angular_impulse") {

@@ -13,8 +13,9 @@ namespace scree {
 struct Measured {
   // Stores [J]; the energy of cohesive bonds is negative.
   double kinetic = 0, rotational = 0, elastic = 0, cohesive = 0;
-  // Work done on the particles since the start by body forces, by drag, and by bodies that move as prescribed [J].
-  double body_work = 0, drag_work = 0, prescribed_work = 0;
+  // Work done on the particles since the start by body forces, by drag, and by bodies and walls that move as
+  // prescribed [J].
+  double body_work = 0, drag_work = 0, prescribed_work = 0, wall_work = 0;
   // Energy lost since the start, positive [J].
   double dissipated_normal = 0, dissipated_sliding = 0, dissipated_rolling = 0;
   // Momentum [kg m/s] and angular momentum about the origin [kg m2/s], and what all external forces (body forces, drag,
@@ -56,7 +57,7 @@ struct LedgerRow {
 std::span<const std::string> ledger_channels();
 
 /// Sets channels to zero, as if nobody had measured them: the books must then fail to close wherever the channel
-/// matters. Names: normal, sliding, rolling (losses), drag, body, prescribed (work), momentum_impulse, angular_impulse.
+/// matters. Names: normal, sliding, rolling (losses), drag, body, prescribed, walls (work), momentum_impulse, angular_impulse.
 /// Throws InputError for another name.
 void leave_out(Measured& measured, std::span<const std::string> channels);
 

@@ -29,7 +29,7 @@ sc_vec unwrapped(const ParticleSystem& s, std::size_t i) {
 }
 
 struct Sums {
-  ExactSum kinetic, rotational, lost_normal, lost_sliding, lost_rolling, drag, body, prescribed, scale, free_mass;
+  ExactSum kinetic, rotational, lost_normal, lost_sliding, lost_rolling, drag, body, prescribed, walls, scale, free_mass;
   VectorSum momentum, impulse, angular, angular_impulse;
 
   void add(const Sample& sample, const Fields& fields, std::size_t i) {
@@ -41,6 +41,7 @@ struct Sums {
     drag.add(p.work.row(i)[0]);
     body.add(p.work.row(i)[1]);
     prescribed.add(p.work.row(i)[2]);
+    walls.add(p.work.row(i)[3]);
     impulse.add(vec_of(p.impulse.row(i)));
     angular_impulse.add(vec_of(p.angular_impulse.row(i)));
     if (m[lane::inverse_mass] == 0) return;
@@ -73,6 +74,7 @@ Measured measure(const Sample& sample, const Fields& fields, double time) {
   out.body_work = s.body.value();
   out.drag_work = s.drag.value();
   out.prescribed_work = s.prescribed.value();
+  out.wall_work = s.walls.value();
   out.dissipated_normal = s.lost_normal.value();
   out.dissipated_sliding = s.lost_sliding.value();
   out.dissipated_rolling = s.lost_rolling.value();

@@ -1,32 +1,100 @@
 #include "scree/app/build_walls.h"
 
+#include <map>
+#include <span>
+
+#include "scree/app/build.h"
 #include "scree/app/build_materials.h"
+#include "scree/app/wall_motion.h"
 
 namespace scree {
 namespace {
 
 sc_vec vec_of(const Vec3& v) { return sc_make_vec(v[0], v[1], v[2]); }
 
-sc_wall face_of(int kind, int material) {
-  sc_wall face{};
-  face.kind = kind;
-  face.material = material;
+/// Gives equal points equal numbers.
+class Corners {
+ public:
+  int number(const Vec3& x) { return numbers_.try_emplace(x, static_cast<int>(numbers_.size())).first->second; }
+
+ private:
+  std::map<Vec3, int> numbers_;
+};
+
+void add_box(std::vector<sc_wall>& faces, const Vec3& min, const Vec3& max) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {min[axis], max[axis]}) {
+      Vec3 low = min, high = max;
+      low[axis] = high[axis] = side;
+      faces.push_back(sc_wall_block(SC_WALL_RECTANGLE, vec_of(low), vec_of(high)));
+    }
+}
+
+sc_wall plate(const WallKeys& keys) {
+  sc_wall face = sc_wall_of(SC_WALL_PLATE);
+  face.a = vec_of(keys.corner);
+  face.b = vec_of(keys.edge_a);
+  face.c = vec_of(keys.edge_b);
   return face;
 }
 
-sc_wall plane(const WallKeys& keys, int material) {
-  sc_wall face = face_of(SC_WALL_PLANE, material);
-  const sc_vec normal = vec_of(keys.normal);
-  face.point = vec_of(keys.point);
-  face.normal = sc_scale(1 / sc_norm(normal), normal);
-  return face;
+/// Cylinder or cone; its rims are corners 0 and 1, shared with the discs that close it.
+void add_round(std::vector<sc_wall>& faces, const WallKeys& keys) {
+  const bool cone = keys.type == "cone";
+  const sc_vec start = vec_of(keys.start), end = vec_of(keys.end), along = sc_sub(end, start);
+  sc_wall side = sc_wall_of(SC_WALL_FRUSTUM);
+  side.length = sc_norm(along);
+  const sc_vec axis = side.length > 0 ? along : vec_of(keys.axis);
+  side.a = start;
+  side.b = sc_scale(1 / sc_norm(axis), axis);
+  side.start_radius = cone ? keys.start_radius : keys.radius;
+  side.end_radius = cone ? keys.end_radius : keys.radius;
+  side.corner[0] = keys.closed ? 0 : -1;
+  side.corner[1] = keys.closed ? 1 : -1;
+  faces.push_back(side);
+  if (!keys.closed) return;
+  for (const int rim : {0, 1}) {
+    sc_wall disc = sc_wall_of(SC_WALL_FRUSTUM);
+    disc.a = rim == 0 ? start : end;
+    disc.b = side.b;
+    disc.start_radius = rim == 0 ? side.start_radius : side.end_radius;
+    disc.corner[0] = rim;
+    if (disc.start_radius > 0) faces.push_back(disc);
+  }
 }
 
-sc_wall block(int kind, const Vec3& min, const Vec3& max, int material) {
-  sc_wall face = face_of(kind, material);
-  face.low = vec_of(min);
-  face.high = vec_of(max);
-  return face;
+/// Triangles whose corners follow each other.
+void add_triangles(std::vector<sc_wall>& faces, std::span<const Vec3> corners) {
+  Corners numbers;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    sc_wall face = sc_wall_of(SC_WALL_TRIANGLE);
+    face.a = vec_of(corners[i]);
+    face.b = vec_of(corners[i + 1]);
+    face.c = vec_of(corners[i + 2]);
+    for (int k = 0; k < 3; ++k) face.corner[k] = numbers.number(corners[i + k]);
+    faces.push_back(face);
+  }
+}
+
+std::vector<sc_wall> faces_of(const WallKeys& keys) {
+  std::vector<sc_wall> faces;
+  if (keys.type == "plane") {
+    const sc_vec normal = vec_of(keys.normal);
+    faces.push_back(sc_wall_plane(vec_of(keys.point), sc_scale(1 / sc_norm(normal), normal)));
+  } else if (keys.type == "rectangle") {
+    faces.push_back(sc_wall_block(SC_WALL_RECTANGLE, vec_of(keys.min), vec_of(keys.max)));
+  } else if (keys.type == "plate") {
+    faces.push_back(plate(keys));
+  } else if (keys.type == "box" && keys.side == "outside") {
+    faces.push_back(sc_wall_block(SC_WALL_SOLID_BOX, vec_of(keys.min), vec_of(keys.max)));
+  } else if (keys.type == "box") {
+    add_box(faces, keys.min, keys.max);
+  } else if (keys.type == "triangles") {
+    add_triangles(faces, keys.vertices);
+  } else {
+    add_round(faces, keys);
+  }
+  return faces;
 }
 
 }  // namespace
@@ -34,26 +102,19 @@ sc_wall block(int kind, const Vec3& min, const Vec3& max, int material) {
 Walls build_walls(const Case& c) {
   Walls walls;
   for (const WallKeys& keys : c.walls) {
-    const std::int32_t owner = static_cast<std::int32_t>(walls.names.size());
+    const std::int32_t body = static_cast<std::int32_t>(walls.names.size());
     const int material = material_index(c, keys.material);
     walls.names.push_back(keys.name);
-    if (keys.type == "plane") {
-      walls.faces.push_back(plane(keys, material));
-    } else if (keys.type == "rectangle") {
-      walls.faces.push_back(block(SC_WALL_RECTANGLE, keys.min, keys.max, material));
-    } else if (keys.side == "outside") {
-      walls.faces.push_back(block(SC_WALL_SOLID_BOX, keys.min, keys.max, material));
-    } else {
-      for (int axis = 0; axis < 3; ++axis)
-        for (const double side : {keys.min[axis], keys.max[axis]}) {
-          Vec3 min = keys.min, max = keys.max;
-          min[axis] = max[axis] = side;
-          walls.faces.push_back(block(SC_WALL_RECTANGLE, min, max, material));
-        }
-      walls.rooms.push_back({keys.min, keys.max, owner});
+    for (sc_wall face : faces_of(keys)) {
+      face.body = body;
+      face.material = material;
+      walls.faces.push_back(face);
     }
-    walls.owner.resize(walls.faces.size(), owner);
+    if (keys.type == "box" && keys.side == "inside") walls.rooms.push_back({keys.min, keys.max, body});
   }
+  const std::vector<WallMotion> motions = build_wall_motions(c, walls, build_domain(c));
+  for (WallMotion motion : motions) walls.poses.push_back(pose_at(motion, 0, 0, 0));
+  plant_trees(walls);
   return walls;
 }
 

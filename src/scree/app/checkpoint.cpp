@@ -129,6 +129,7 @@ WallContacts walls_of(std::span<const std::int64_t> ids, std::span<const double>
   out.active.resize(ids.size() / 2);
   out.slide.resize(2 * ids.size());
   out.roll.resize(2 * ids.size());
+  out.gap.resize(ids.size() / 2);
   std::int32_t next = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     for (const std::size_t c : mine[i]) {

@@ -28,7 +28,7 @@ double mean_impact_speed(std::int64_t count, std::int64_t sum) {
   return count > 0 ? whole(sum) * speed_quantum / whole(count) : nan;
 }
 
-std::vector<std::string> series_columns(bool agglomerates) {
+std::vector<std::string> series_columns(bool agglomerates, std::span<const std::string> walls) {
   std::vector<std::string> names = {"time",
                                     "step",
                                     "kinetic_energy",
@@ -41,6 +41,7 @@ std::vector<std::string> series_columns(bool agglomerates) {
                                     "dissipated_rolling",
                                     "work_drag",
                                     "work_prescribed",
+                                    "work_walls",
                                     "energy_error",
                                     "energy_turnover",
                                     "momentum_x",
@@ -61,6 +62,9 @@ std::vector<std::string> series_columns(bool agglomerates) {
     names.insert(names.end(), {"agglomerates", "agglomerated_fraction", "largest_agglomerate", "mean_agglomerate_size",
                                "mean_radius_of_gyration", "spanning_agglomerates", "fractal_dimension",
                                "fractal_dimension_error", "coordination_number"});
+  for (const std::string& wall : walls)
+    for (const char* quantity : {"force", "torque"})
+      for (const char axis : {'x', 'y', 'z'}) names.push_back(wall + "_" + quantity + "_" + axis);
   return names;
 }
 
@@ -78,6 +82,7 @@ std::vector<double> values_of(const SeriesRow& r) {
                            m.dissipated_rolling,
                            m.drag_work,
                            m.prescribed_work,
+                           m.wall_work,
                            r.balance.energy_error,
                            r.balance.turnover,
                            m.momentum[0],
@@ -98,6 +103,10 @@ std::vector<double> values_of(const SeriesRow& r) {
     v.insert(v.end(), {whole(a->agglomerates), a->agglomerated_fraction, whole(a->largest_agglomerate),
                        a->mean_agglomerate_size, a->mean_radius_of_gyration, whole(a->spanning_agglomerates),
                        a->fractal_dimension, a->fractal_dimension_error, a->coordination_number});
+  for (const WallLoad& load : r.wall_loads) {
+    v.insert(v.end(), load.force.begin(), load.force.end());
+    v.insert(v.end(), load.torque.begin(), load.torque.end());
+  }
   return v;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,9 +32,11 @@ struct SeriesRow {
   double collision_speed = 0;  // mean approach speed of the contacts begun since the last row; NaN if none [m/s]
   double stickiness = 0;       // at that speed; NaN without cohesion
   std::optional<AgglomerateSummary> agglomerates;
+  std::vector<WallLoad> wall_loads;
 };
 
-std::vector<std::string> series_columns(bool agglomerates);
+/// `walls`: the names of the walls of the case.
+std::vector<std::string> series_columns(bool agglomerates, std::span<const std::string> walls);
 std::vector<double> values_of(const SeriesRow& row);
 
 /// Mean speed of `count` impacts from the sum in units of speed_quantum; NaN for none [m/s].

@@ -64,6 +64,16 @@ void set_velocities(std::vector<PrescribedGroup>& groups, Particles& particles, 
   });
 }
 
+void set_accelerations(std::vector<PrescribedGroup>& groups, const Particles& particles, double time, double lag,
+                       Buffer<sc_field>& field) {
+  if (lag == 0) return;
+  for_each_body(groups, particles, [&](PrescribedGroup& group, std::size_t i, const std::array<double, 3>& start) {
+    const std::array<double, 3> v = velocity_of(group, start, time);
+    const double* m = particles.motion.row(i) + lane::vx;
+    field[i].acceleration = sc_make_vec((v[0] - m[0]) / lag, (v[1] - m[1]) / lag, (v[2] - m[2]) / lag);
+  });
+}
+
 double carry(std::vector<PrescribedGroup>& groups, Particles& particles, const Domain& domain, double now, double dt,
              bool leapfrog) {
   double fastest2 = 0;

@@ -25,6 +25,10 @@ std::vector<PrescribedGroup> build_prescribed(const Case& c, const Particles& pa
 /// Gives the bodies of the groups the velocity of their formulas at `time` [s].
 void set_velocities(std::vector<PrescribedGroup>& groups, Particles& particles, double time);
 
+/// Puts into `field` the acceleration that brings a body's velocity from `lag` [s] before `time` to that of its formula.
+void set_accelerations(std::vector<PrescribedGroup>& groups, const Particles& particles, double time, double lag,
+                       Buffer<sc_field>& field);
+
 /// A pass has carried the bodies on for `dt` with their old velocity: puts them where their velocity at mid step takes
 /// them from `now` [s], with that velocity if `leapfrog`, else that of the end. Returns the largest speed [m/s].
 double carry(std::vector<PrescribedGroup>& groups, Particles& particles, const Domain& domain, double now, double dt,

@@ -40,6 +40,7 @@ std::vector<std::pair<std::string, double>> ledger_of(const Outputs& outputs) {
           {"dissipated_rolling", m.dissipated_rolling},
           {"work_drag", m.drag_work},
           {"work_prescribed", m.prescribed_work},
+          {"work_walls", m.wall_work},
           {"energy_error", row.energy_error},
           {"energy_turnover", row.turnover},
           {"momentum_error", row.momentum_error},

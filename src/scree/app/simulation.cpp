@@ -12,6 +12,7 @@ Simulation::Simulation(const Case& c, Team team) : case_(c), team_(team), fields
   system_ = build_system(case_, fields_);
   prescribed_ = build_prescribed(c, system_.particles);
   set_velocities(prescribed_, system_.particles, 0);
+  motions_ = build_wall_motions(c, system_.walls, system_.domain);
   findings_.fastest2 = fastest_square(system_.particles);
   lists_ = prepare_lists(system_, c.simulation.skin);
   clock_.dt = time_step_of(c, system_.materials);
@@ -19,6 +20,7 @@ Simulation::Simulation(const Case& c, Team team) : case_(c), team_(team), fields
 
 // The table of contents of the program: what happens in a step, in order.
 void Simulation::step() {
+  move_walls();
   refresh_neighbours();
   evaluate_fields();
   advance_particles();
@@ -27,21 +29,28 @@ void Simulation::step() {
   guard();
 }
 
+/// Puts the walls where they are now.
+void Simulation::move_walls() {
+  for (std::size_t w = 0; w < motions_.size(); ++w)
+    system_.walls.poses[w] = pose_at(motions_[w], clock_.now(), contact_time_now().lead, clock_.dt);
+}
+
 void Simulation::refresh_neighbours() {
   const Stopwatch watch(stages_, "neighbours");
   refresh_lists(system_, lists_, team_);
 }
 
 void Simulation::evaluate_fields() {
-  if (!act_locally(fields_)) return;
+  if (!fields_matter()) return;
   const Stopwatch watch(stages_, "fields");
   evaluate(fields_, system_.particles, clock_.now(), lists_.kernels, field_);
+  set_accelerations(prescribed_, system_.particles, clock_.now(), move_now().lag, field_);
 }
 
 /// Contacts, kick and drift in one pass: each tile of particles passes through the cache once.
 void Simulation::advance_particles() {
   const Stopwatch watch(stages_, "contacts and motion");
-  const sc_field* field = act_locally(fields_) ? field_.data() : nullptr;
+  const sc_field* field = fields_matter() ? field_.data() : nullptr;
   const SweepView view = view_of(system_, lists_, move_now(), contact_time_now(), field);
   // The trapezoidal rule moves a particle by the mean of its speeds before and after.
   const double before2 = move_now().scheme == SC_LEAPFROG ? 0.0 : findings_.fastest2;
@@ -50,6 +59,10 @@ void Simulation::advance_particles() {
   tally_.impacts += findings_.impacts;
   tally_.impact_speed += findings_.impact_speed;
   note_travel(lists_, std::sqrt(std::max(before2, findings_.fastest2)) * clock_.dt);
+  double farthest = 0;
+  const double next = static_cast<double>(clock_.step + 1) * clock_.dt;
+  for (WallMotion& motion : motions_) farthest = std::max(farthest, greatest_way(motion, clock_.now(), next));
+  note_wall_travel(lists_, farthest);
 }
 
 void Simulation::move_prescribed_bodies() {
@@ -68,6 +81,7 @@ sc_move Simulation::move_now() const {
   const bool starts_leapfrog = m.scheme == SC_LEAPFROG && clock_.step == 0;
   m.kick = starts_leapfrog ? 0.5 * clock_.dt : clock_.dt;
   m.drift = clock_.dt;
+  m.lag = m.scheme == SC_LEAPFROG && !starts_leapfrog ? 0.5 * clock_.dt : 0.0;
   m.gravity = fields_.uniform;
   m.rotation = frame_rotation(fields_, clock_.now());
   m.fluid_density = fields_.density;
@@ -77,16 +91,16 @@ sc_move Simulation::move_now() const {
 
 sc_contact_time Simulation::contact_time_now() const {
   const sc_move m = move_now();
-  const bool first = clock_.step == 0;
-  return {first ? 0.0 : clock_.dt, m.scheme == SC_LEAPFROG && !first ? 0.5 * clock_.dt : 0.0, m.kick};
+  return {clock_.step == 0 ? 0.0 : clock_.dt, m.lag, m.kick};
 }
 
 const Sample& Simulation::sample() {
   if (sampled_step_ == clock_.step) return sample_;
+  move_walls();
   refresh_neighbours();
   evaluate_fields();
   const Stopwatch watch(stages_, "samples");
-  take_sample(system_, lists_, move_now(), contact_time_now(), act_locally(fields_) ? field_.data() : nullptr, sample_);
+  take_sample(system_, lists_, move_now(), contact_time_now(), fields_matter() ? field_.data() : nullptr, sample_);
   set_velocities(prescribed_, sample_.system.particles, clock_.now());
   sampled_step_ = clock_.step;
   return sample_;

@@ -8,6 +8,7 @@
 
 #include "scree/app/build.h"
 #include "scree/app/prescribed.h"
+#include "scree/app/wall_motion.h"
 #include "scree/base/stopwatch.h"
 #include "scree/input/case.h"
 #include "scree/mpi/ranks.h"
@@ -64,11 +65,15 @@ class Simulation {
   int threads() const { return team_.threads; }
 
  private:
+  void move_walls();
   void move_prescribed_bodies();
   void refresh_neighbours();
   void evaluate_fields();
   void advance_particles();
   void guard() const;
+
+  /// Whether a pass needs to know what acts at each particle.
+  bool fields_matter() const { return act_locally(fields_) || !prescribed_.empty(); }
 
   sc_move move_now() const;
   sc_contact_time contact_time_now() const;
@@ -79,6 +84,7 @@ class Simulation {
   ParticleSystem system_;
   Fields fields_;
   std::vector<PrescribedGroup> prescribed_;
+  std::vector<WallMotion> motions_;
   ContactLists lists_;
   Buffer<sc_field> field_;
   Clock clock_;

@@ -122,13 +122,40 @@ struct ParticleKeys {
   std::uint64_t attempts = 1000;  // random: tries per particle before giving up
 };
 
+/// How a wall moves.
+struct MotionKeys {
+  std::string type = "none";  // none, velocity, rotation, oscillation, expression, surface
+  Vec3 velocity{};            // velocity, surface [m/s]
+  Vec3 point{};               // on the axis [m]
+  Vec3 axis{0, 0, 1};
+  double angular_velocity = 0;  // [rad/s]
+  Vec3 amplitude{};             // [m]
+  double frequency = 0;         // [Hz]
+  double phase = 0;             // [rad]
+  Expression3 displacement{"0", "0", "0"};
+  std::string angle = "0";  // formula of t [rad]
+  double start = 0;         // [s]
+  std::optional<double> stop;
+};
+
 struct WallKeys {
   std::string name;
-  std::string type;  // plane, rectangle, box
+  std::string type;  // plane, rectangle, plate, box, cylinder, cone, triangles, mesh
   std::string material;
-  Vec3 point{}, normal{};       // plane: particles are on the side that the normal points to
-  Vec3 min{}, max{};            // rectangle (flat in one axis), box
-  std::string side = "inside";  // box: particles are inside or outside
+  Vec3 point{}, normal{};                            // plane: particles are on the side that the normal points to
+  Vec3 min{}, max{};                                 // rectangle (flat in one axis), box
+  std::string side = "inside";                       // box: particles are inside or outside
+  Vec3 corner{}, edge_a{}, edge_b{};                 // plate
+  Vec3 start{}, end{}, axis{};                       // cylinder, cone
+  double radius = 0, start_radius = 0, end_radius = 0;
+  bool closed = false;
+  std::vector<Vec3> vertices;  // triangles
+  std::string file;            // mesh; path made absolute
+  double scale = 1;            // of the mesh [m]
+  Vec3 offset{};               // of the mesh [m]
+  double from = 0;             // [s]
+  std::optional<double> until;
+  MotionKeys motion;
 };
 
 struct OutputKeys {

@@ -79,33 +79,4 @@ const Section& pairs_section() {
   return section;
 }
 
-const Section& walls_section() {
-  using S = WallKeys;
-  static const Section section = {
-      "walls",
-      "[[walls]]",
-      "A wall at rest.",
-      {key("name", &S::name, "name in messages and results").is_a(TextKind::name).defaults_to("wall0, wall1, ..."),
-       key("type", &S::type,
-           "plane: infinite, one-sided; rectangle: finite, aligned with the axes, two-sided; box: the six faces of a "
-           "box")
-           .one_of({"plane", "rectangle", "box"})
-           .required(),
-       key("material", &S::material, "name of a material").required(),
-       key("point", &S::point, "a point of the plane").unit("m").required().only_with("type", {"plane"}),
-       key("normal", &S::normal, "direction from the plane towards the particles; any length")
-           .required()
-           .only_with("type", {"plane"}),
-       key("min", &S::min, "lower corner; a rectangle has min = max along one axis")
-           .unit("m")
-           .required()
-           .only_with("type", {"rectangle", "box"}),
-       key("max", &S::max, "upper corner").unit("m").required().only_with("type", {"rectangle", "box"}),
-       key("side", &S::side, "on which side of the box the particles are")
-           .one_of({"inside", "outside"})
-           .only_with("type", {"box"})},
-      [] { return std::make_shared<S>(); }};
-  return section;
-}
-
 }  // namespace scree

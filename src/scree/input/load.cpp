@@ -26,6 +26,13 @@ struct Outcome {
   std::vector<Problem> problems;
 };
 
+/// A path that is relative to the case file, made absolute.
+std::string beside_case(const Case& c, const std::string& file) {
+  std::error_code ignored;
+  const std::filesystem::path base = std::filesystem::path(c.path).parent_path();
+  return std::filesystem::absolute(base / file, ignored).lexically_normal().string();
+}
+
 /// Defaults that are not constants: names by number, the whole domain as region, absolute file names, a tangential law
 /// that fits the normal one.
 void complete(Case& c, const Origins& origins) {
@@ -37,12 +44,12 @@ void complete(Case& c, const Origins& origins) {
     if (!origins.given(path + ".name")) p.name = fmt::format("group{}", i);
     if (!origins.given(path + ".region_min")) p.region_min = c.domain.min;
     if (!origins.given(path + ".region_max")) p.region_max = c.domain.max;
-    std::error_code ignored;
-    const std::filesystem::path base = std::filesystem::path(c.path).parent_path();
-    if (!p.file.empty()) p.file = std::filesystem::absolute(base / p.file, ignored).lexically_normal().string();
+    if (!p.file.empty()) p.file = beside_case(c, p.file);
   }
-  for (std::size_t i = 0; i < c.walls.size(); ++i)
+  for (std::size_t i = 0; i < c.walls.size(); ++i) {
     if (!origins.given(item_path("walls", i) + ".name")) c.walls[i].name = fmt::format("wall{}", i);
+    if (!c.walls[i].file.empty()) c.walls[i].file = beside_case(c, c.walls[i].file);
+  }
 }
 
 Outcome evaluate(Table root, const std::string& path, const std::vector<std::string>& overrides) {

@@ -20,6 +20,7 @@ typedef struct {
   int drag;              // SC_DRAG_...
   real kick;             // time over which forces act on the velocity [s]
   real drift;            // time over which the velocity acts on the position [s]
+  real lag;              // how far velocities are behind positions [s]
   sc_vec gravity;        // the same everywhere [m/s2]
   sc_vec rotation;       // angular velocity of the frame of reference [rad/s]
   real fluid_density;    // [kg/m3]
@@ -28,7 +29,7 @@ typedef struct {
 
 /// What acts on a particle at its place, besides contacts.
 typedef struct {
-  sc_vec acceleration;  // of body forces, beyond uniform gravity [m/s2]
+  sc_vec acceleration;  // of body forces, beyond uniform gravity; of a body that moves as prescribed, its own [m/s2]
   sc_vec fluid;         // velocity of the fluid [m/s]
 } sc_field;
 
@@ -99,8 +100,10 @@ SC_FN sc_sphere_moved sc_move_sphere(sc_move m, sc_sphere_motion s, sc_sphere_lo
   out.drag_work = sc_dot(out.drag_impulse, mean);
   out.body_impulse = sc_scale(mass, sc_add_scaled(turned, m.kick, body));
   out.body_work = sc_dot(out.body_impulse, mean);
+  // Forces act at the positions, so their power is that of the velocity there.
+  const sc_vec prescribed = sc_add_scaled(s.velocity, m.lag, field.acceleration);
   const real power =
-      sc_dot(load.force, s.velocity) + sc_dot(load.turn, s.rim) + s.inverse_radius * sc_dot(load.couple, s.rim);
+      sc_dot(load.force, prescribed) + sc_dot(load.turn, s.rim) + s.inverse_radius * sc_dot(load.couple, s.rim);
   out.prescribed_work = free_body ? R(0) : -m.kick * power;
   // Inertia 2/5 m r^2; `turn` is the torque over the radius.
   const sc_vec turn = sc_add_scaled(load.turn, s.inverse_radius, load.couple);

@@ -87,8 +87,9 @@ void evaluate(const Fields& fields, const Particles& particles, double time, con
       const std::int64_t end = std::min(n, begin + block);
       for (std::int64_t p = begin; p < end; ++p) {
         const sc_vec x = sc_make_vec(motion[8 * p], motion[8 * p + 1], motion[8 * p + 2]);
-        out[p].acceleration = acceleration_at(f, acceleration, x, time);
-        if (f.buoyancy)
+        const bool free_body = motion[8 * p + lane::inverse_mass] > 0;
+        out[p].acceleration = free_body ? acceleration_at(f, acceleration, x, time) : sc_zero_vec();
+        if (f.buoyancy && free_body)
           out[p].acceleration = sc_sub(out[p].acceleration, sc_scale(displaced_share(f, particles, p), f.uniform));
         if (!vortices) out[p].fluid = stream_at(f, velocity, x, time);
       }

@@ -12,14 +12,20 @@
 namespace scree {
 namespace {
 
-double wall_overlap(const sc_wall& wall, const double* position, double radius) {
-  sc_sphere_wall s;
-  s.position = sc_make_vec(position[0], position[1], position[2]);
-  s.radius = radius;
-  s.inverse_mass = 1;
-  s.velocity = s.rim_speed = s.spin = sc_zero_vec();
-  s.excess = 0;
-  return sc_touch_wall(s, wall).touch.overlap;
+/// How deep a sphere is in a wall.
+struct WallOverlap {
+  double depth = 0;  // [m]
+  std::size_t face = 0;
+};
+
+/// The deepest overlap of a sphere with the walls that are there.
+WallOverlap deepest_overlap(const Walls& walls, const double* position, double radius) {
+  WallOverlap deepest;
+  const sc_vec x = sc_make_vec(position[0], position[1], position[2]);
+  for_each_face_near(walls, x, radius, [&](std::size_t face, const sc_wall_gap& gap) {
+    if (walls.pose_of(face).present && radius - gap.distance > deepest.depth) deepest = {radius - gap.distance, face};
+  });
+  return deepest;
 }
 
 /// True if the centre, or with `margin` the sphere of that radius, is in a room; also true when there are no rooms.
@@ -43,8 +49,7 @@ std::string named(const Particles& particles, std::size_t i, const std::vector<P
 bool clear_of_walls(const Walls* walls, const std::array<double, 3>& position, double radius) {
   if (!walls) return true;
   if (!in_a_room(*walls, position.data(), radius)) return false;
-  return std::none_of(walls->faces.begin(), walls->faces.end(),
-                      [&](const sc_wall& wall) { return wall_overlap(wall, position.data(), radius) > 0; });
+  return deepest_overlap(*walls, position.data(), radius).depth == 0;
 }
 
 void check_places(const Particles& particles, const std::vector<ParticleGroup>& groups,
@@ -63,15 +68,13 @@ void check_places(const Particles& particles, const std::vector<ParticleGroup>& 
       throw InputError(fmt::format("{} lies outside the box '{}'\n  = help: move the particle into the box",
                                    named(particles, i, groups),
                                    setting.walls->names[setting.walls->rooms.front().owner]));
-    for (std::size_t w = 0; w < setting.walls->size(); ++w) {
-      const double overlap = wall_overlap(setting.walls->faces[w], m, m[lane::radius]);
-      if (overlap > setting.max_overlap * m[lane::radius])
-        throw InputError(fmt::format(
-            "{} lies {:g} m deep in the wall '{}', {:.0f} % of its radius (simulation.max_overlap allows {:.0f} %)\n"
-            "  = help: move the particle or the wall",
-            named(particles, i, groups), overlap, setting.walls->names[setting.walls->owner[w]],
-            100 * overlap / m[lane::radius], 100 * setting.max_overlap));
-    }
+    const WallOverlap wall = deepest_overlap(*setting.walls, m, m[lane::radius]);
+    if (wall.depth > setting.max_overlap * m[lane::radius])
+      throw InputError(fmt::format(
+          "{} lies {:g} m deep in the wall '{}', {:.0f} % of its radius (simulation.max_overlap allows {:.0f} %)\n"
+          "  = help: move the particle or the wall",
+          named(particles, i, groups), wall.depth, setting.walls->name_of(wall.face),
+          100 * wall.depth / m[lane::radius], 100 * setting.max_overlap));
   }
 }
 

@@ -54,7 +54,7 @@ sc_touch touch_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t face
   w.radius = m[lane::radius];
   w.inverse_mass = m[lane::inverse_mass];
   w.excess = s.particles.effect_excess[p];
-  return sc_touch_wall(w, s.walls.faces[face]).touch;
+  return sc_touch_wall(w, s.walls.faces[face], s.walls.pose_of(face)).touch;
 }
 
 struct StoredSums {
@@ -84,6 +84,29 @@ void add_outside_forces(Sample& sample, const sc_move& move, const sc_field* fie
     sample.force[4 * i + 1] += p.mass[i] * push.y;
     sample.force[4 * i + 2] += p.mass[i] * push.z;
   });
+}
+
+/// Sums what every contact does to its wall.
+std::vector<WallLoad> loads_of(const ParticleSystem& s, const Buffer<double>& load) {
+  struct Sums {
+    std::array<ExactSum, 3> force, torque;
+  };
+  std::vector<Sums> sums(s.walls.poses.size());
+  for (std::size_t w = 0; w < s.wall_contacts.wall.size(); ++w) {
+    if (!s.wall_contacts.active[w]) continue;
+    Sums& of = sums[s.walls.faces[s.wall_contacts.wall[w]].body];
+    for (int k = 0; k < 3; ++k) {
+      of.force[k].add(load[8 * w + k]);
+      of.torque[k].add(load[8 * w + 4 + k]);
+    }
+  }
+  std::vector<WallLoad> out(sums.size());
+  for (std::size_t b = 0; b < sums.size(); ++b)
+    for (int k = 0; k < 3; ++k) {
+      out[b].force[k] = sums[b].force[k].value();
+      out[b].torque[k] = sums[b].torque[k].value();
+    }
+  return out;
 }
 
 }  // namespace
@@ -125,7 +148,10 @@ void take_sample(const ParticleSystem& system, ContactLists& lists, sc_move move
   time.kick = time.lead;
   SweepView view = view_of(out.system, lists, move, time, field);
   view.force = out.force.data();
+  Buffer<double> load(8 * out.system.wall_contacts.wall.size());
+  view.walls.load = load.data();
   out.findings = sweep(lists.kernels, view, lists.plan);
+  out.wall_loads = loads_of(out.system, load);
   add_outside_forces(out, move, field);
   out.stored = stored_energy(out.system);
 }

@@ -1,6 +1,9 @@
 // The state at one instant: velocities, springs and losses brought to the time of the positions.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "scree/kernels/move_sphere.h"
 #include "scree/particles/system.h"
 
@@ -11,6 +14,12 @@ struct StoredEnergy {
   double elastic = 0, cohesive = 0;
 };
 
+/// What the particles do to a wall.
+struct WallLoad {
+  std::array<double, 3> force{};   // [N]
+  std::array<double, 3> torque{};  // about the pivot of the wall, which is where its axis of rotation is [N m]
+};
+
 /// A copy of the system in which every velocity, spring and account belongs to the time of the positions.
 ///
 /// The leapfrog keeps velocities half a step behind the positions. The copy has had the half kick that is due, from the
@@ -18,6 +27,7 @@ struct StoredEnergy {
 struct Sample {
   ParticleSystem system;
   Buffer<double> force;  // [n][4]: total force of contacts, fields and drag x y z on each particle [N]
+  std::vector<WallLoad> wall_loads;  // of every wall of the case, exact sums
   StoredEnergy stored;
   SweepFindings findings;
 };

@@ -2,16 +2,10 @@
 #pragma once
 
 #include "scree/particles/sweep_tile.h"
+#include "scree/particles/sweep_walls.h"
 
 namespace scree {
 namespace {
-
-/// What a particle has gathered.
-struct Gathered {
-  lane4 force{};   // x y z, loss by normal damping
-  lane4 turn{};    // lever * (normal x force) x y z, loss by sliding
-  lane4 couple{};  // x y z, loss by rolling
-};
 
 [[gnu::always_inline]] inline Gathered gather(const SweepView& v, std::int64_t p) {
   // The partner feels the opposite force and couple, the same turn; the two share the losses.
@@ -26,49 +20,6 @@ struct Gathered {
     if (v.couples) couple += load4(v.couples + 4 * std::int64_t{*entry >> 1}) * share[*entry & 1];
   }
   return {force, turn * share[0], couple};
-}
-
-[[gnu::always_inline]] inline sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
-
-/// One contact of particle p with a wall, added to what it has gathered.
-template <class Laws>
-[[gnu::noinline]] void add_wall(const SweepView& v, std::int64_t p, std::int64_t w, Gathered& g,
-                                SweepFindings& findings) {
-  const sc_laws laws = Laws::of(v);
-  const double *m = v.motion + 8 * p, *spin = v.spin + 4 * p;
-  const sc_wall& wall = v.walls.shape[v.walls.wall[w]];
-  sc_sphere_wall s;
-  s.position = vec_of(m);
-  s.velocity = vec_of(m + 4);
-  s.rim_speed = vec_of(spin);
-  s.spin = sc_scale(spin[3], s.rim_speed);
-  s.radius = m[3];
-  s.inverse_mass = m[7];
-  s.excess = v.effect_excess[p];
-  const sc_sphere_touch t = sc_touch_wall(s, wall);
-  double* slide = v.walls.slide + 4 * w;
-  double* roll = v.walls.roll + 4 * w;
-  if (t.touch.overlap + v.margin <= 0 && !v.walls.active[w]) return;
-  sc_contact_state state;
-  state.slide = vec_of(slide);
-  state.approach = slide[3];
-  state.acted = v.walls.active[w] & 1;
-  state.slid = v.walls.active[w] >> 1;
-  state.roll = vec_of(roll);
-  state.twist = roll[3];
-  const sc_contact_result r =
-      sc_contact_act(laws, v.law[v.material[p] * v.materials + wall.material], t.touch, v.time, state);
-  const sc_vec force = sc_add(r.action.normal_force, r.action.tangential_force);
-  const sc_vec turn = sc_scale(t.lever, sc_cross(t.touch.normal, r.action.tangential_force));
-  g.force += lane4{force.x, force.y, force.z, r.action.loss_normal};
-  g.turn += lane4{turn.x, turn.y, turn.z, r.action.loss_sliding};
-  g.couple += lane4{r.action.couple.x, r.action.couple.y, r.action.couple.z, r.action.loss_rolling};
-  const double keep = r.action.touching ? 1 : 0;
-  store4(slide, keep * lane4{r.state.slide.x, r.state.slide.y, r.state.slide.z, r.state.approach});
-  store4(roll, keep * lane4{r.state.roll.x, r.state.roll.y, r.state.roll.z, r.state.twist});
-  v.walls.active[w] = contact_code(r.action.touching != 0, r.state.slid > 0);
-  findings.contacts += r.action.touching != 0;
-  findings.deepest = SC_MAX(findings.deepest, t.touch.overlap / s.radius);
 }
 
 /// Work and impulse of everything that is not a pair of free particles.
@@ -147,8 +98,7 @@ inline void book(const SweepView& v, std::int64_t p, const sc_sphere_motion& bef
 template <class Laws>
 [[gnu::noinline]] sc_sphere_moved move_among_others(const SweepView& v, std::int64_t p, const sc_sphere_motion& s,
                                                     Gathered& g, SweepFindings& findings) {
-  Gathered walls{};
-  for (std::int64_t w = v.walls.first[p]; w < v.walls.first[p + 1]; ++w) add_wall<Laws>(v, p, w, walls, findings);
+  const Gathered walls = gather_walls<Laws>(v, p, findings);
   g.force += walls.force;
   g.turn += walls.turn;
   g.couple += walls.couple;

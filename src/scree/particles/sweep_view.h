@@ -8,7 +8,7 @@
 
 #include "scree/kernels/move_sphere.h"
 #include "scree/physics/contact/contact.h"
-#include "scree/physics/touch/wall.h"
+#include "scree/physics/touch/sphere_wall.h"
 
 namespace scree {
 
@@ -29,6 +29,9 @@ struct WallView {
   double* slide;         // [contacts][4]: stretch x y z, approach
   double* roll;          // [contacts][4]: roll x y z, twist
   const sc_wall* shape;
+  const sc_wall_pose* pose;  // of each wall of the case
+  sc_wall_gap* gap;          // [contacts], written: the way to the wall
+  double* load;              // [contacts][8] or null, written: force on the wall x y z, moment about its pivot x y z
 };
 
 struct SweepView {

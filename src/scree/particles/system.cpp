@@ -94,6 +94,11 @@ void make_lists(ParticleSystem& s, ContactLists& lists, int ranges) {
   for (std::size_t i = 0; i < n; ++i) std::copy_n(p.motion.row(i), 3, &lists.listed_at[3 * i]);
 }
 
+/// By how much two particles, or a particle and a wall, may have approached since the lists were made [m].
+double approached(const ContactLists& lists) {
+  return lists.travelled + std::max(lists.travelled, lists.walls_travelled);
+}
+
 }  // namespace
 
 double fastest_square(const Particles& p) {
@@ -123,15 +128,15 @@ ContactLists prepare_lists(const ParticleSystem& s, double skin) {
 bool refresh_lists(ParticleSystem& s, ContactLists& lists, const Team& team) {
   const int ranges = team.hands(s.particles.size());
   if (lists.made && static_cast<int>(lists.plan.ranges.size()) == ranges) {
-    if (2 * lists.travelled <= lists.skin) return false;
+    if (approached(lists) <= lists.skin) return false;
     // The sum of the fastest steps overestimates: most of the time nobody has really gone that far.
     lists.travelled = greatest_travel(s.particles, s.domain, lists.listed_at);
-    if (2.5 * lists.travelled <= lists.skin) return false;
+    if (1.25 * approached(lists) <= lists.skin) return false;
   }
   if (lists.adapts) adapt_skin(lists, s);
   make_lists(s, lists, ranges);
   if constexpr (auditing) audit_lists(s, lists);
-  lists.travelled = 0;
+  lists.travelled = lists.walls_travelled = 0;
   lists.passes = 0;
   ++lists.rebuilds;
   lists.made = true;
@@ -143,6 +148,8 @@ void note_travel(ContactLists& lists, double distance) {
   lists.travelled += distance * (1 + 1e-12);
   ++lists.passes;
 }
+
+void note_wall_travel(ContactLists& lists, double distance) { lists.walls_travelled += distance * (1 + 1e-12); }
 
 SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, const sc_contact_time& time,
                   const sc_field* field) {
@@ -164,7 +171,8 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
   v.slide = s.contacts.slide.data();
   v.roll = s.contacts.remembers_rolling ? s.contacts.roll.data() : nullptr;
   WallContacts& w = s.wall_contacts;
-  v.walls = {w.first.data(), w.wall.data(), w.active.data(), w.slide.data(), w.roll.data(), s.walls.faces.data()};
+  v.walls = {w.first.data(), w.wall.data(), w.active.data(), w.slide.data(), w.roll.data(),
+             s.walls.faces.data(), s.walls.poses.data(), w.gap.data(), nullptr};
   v.slot = lists.plan.slot.data();
   v.gather_first = lists.plan.gather_first.data();
   v.gather = lists.plan.gather.data();

@@ -33,7 +33,8 @@ struct ContactLists {
   SweepSlots slots;
   Buffer<double> listed_at;  // [n][3]: positions when the lists were made [m]
   double skin = 0;           // [m]
-  double travelled = 0;      // nobody has moved further since then [m]
+  double travelled = 0;      // no particle has moved further since then [m]
+  double walls_travelled = 0;  // nor any wall [m]
   double margin = 0;         // how far apart bodies may be and still act on each other [m]
   std::int64_t passes = 0;   // since the lists were made
   std::int64_t rebuilds = 0;
@@ -49,6 +50,9 @@ bool refresh_lists(ParticleSystem& system, ContactLists& lists, const Team& team
 
 /// Notes that particles moved by at most `distance` [m] since the last call.
 void note_travel(ContactLists& lists, double distance);
+
+/// Notes that parts of walls near particles moved by at most `distance` [m] since the last call.
+void note_wall_travel(ContactLists& lists, double distance);
 
 /// The view of the system for a pass. `field` is what acts at each particle, or null.
 SweepView view_of(ParticleSystem& system, ContactLists& lists, const sc_move& move, const sc_contact_time& time,

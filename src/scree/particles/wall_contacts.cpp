@@ -2,19 +2,23 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace scree {
 namespace {
 
-/// Gap between the effect surface of particle p and a face [m].
-double gap(const Particles& particles, std::size_t p, const sc_wall& face) {
+/// Calls visit(face) for all faces near particle p, by rising number; `scratch` is for use in here.
+template <class Visit>
+void for_each_near(const Particles& particles, std::size_t p, const Walls& walls, double skin,
+                   std::vector<std::int32_t>& scratch, Visit&& visit) {
   const double* m = particles.motion.row(p);
-  sc_sphere_wall s{};
-  s.position = sc_make_vec(m[lane::x], m[lane::y], m[lane::z]);
-  s.radius = m[lane::radius];
-  s.inverse_mass = m[lane::inverse_mass];
-  s.excess = particles.effect_excess[p];
-  return -sc_touch_wall(s, face).touch.reach;
+  if (m[lane::inverse_mass] == 0) return;
+  const double reach = m[lane::radius] + particles.effect_excess[p] + skin;
+  scratch.clear();
+  for_each_face_near(walls, sc_make_vec(m[lane::x], m[lane::y], m[lane::z]), reach,
+                     [&](std::size_t face, const sc_wall_gap&) { scratch.push_back(static_cast<std::int32_t>(face)); });
+  std::sort(scratch.begin(), scratch.end());
+  for (const std::int32_t face : scratch) visit(face);
 }
 
 }  // namespace
@@ -24,23 +28,28 @@ WallContacts find_wall_contacts(const Particles& particles, const Walls& walls, 
   WallContacts out;
   out.first.resize(n + 1);
   if (walls.size() == 0) return out;
-  const auto for_each_near = [&](std::int64_t p, auto&& visit) {
-    if (particles.motion.row(p)[lane::inverse_mass] == 0) return;
-    for (std::size_t f = 0; f < walls.size(); ++f)
-      if (gap(particles, p, walls.faces[f]) < skin) visit(static_cast<std::int32_t>(f));
-  };
-#pragma omp parallel for schedule(static)
-  for (std::int64_t p = 0; p < n; ++p) for_each_near(p, [&](std::int32_t) { ++out.first[p + 1]; });
+#pragma omp parallel
+  {
+    std::vector<std::int32_t> scratch;
+#pragma omp for schedule(static)
+    for (std::int64_t p = 0; p < n; ++p)
+      for_each_near(particles, p, walls, skin, scratch, [&](std::int32_t) { ++out.first[p + 1]; });
+  }
   for (std::int64_t p = 0; p < n; ++p) out.first[p + 1] += out.first[p];
   const std::size_t count = out.first[n];
   out.wall.resize(count);
   out.active.resize(count);
   out.slide.resize(4 * count);
   out.roll.resize(4 * count);
-#pragma omp parallel for schedule(static)
-  for (std::int64_t p = 0; p < n; ++p) {
-    std::int32_t next = out.first[p];
-    for_each_near(p, [&](std::int32_t f) { out.wall[next++] = f; });
+  out.gap.resize(count);
+#pragma omp parallel
+  {
+    std::vector<std::int32_t> scratch;
+#pragma omp for schedule(static)
+    for (std::int64_t p = 0; p < n; ++p) {
+      std::int32_t next = out.first[p];
+      for_each_near(particles, p, walls, skin, scratch, [&](std::int32_t face) { out.wall[next++] = face; });
+    }
   }
   return out;
 }

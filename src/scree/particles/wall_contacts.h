@@ -17,6 +17,7 @@ struct WallContacts {
   Buffer<std::uint8_t> active;  // contact_code() of the last evaluation
   Buffer<double> slide;         // [contacts][4]: stretch of the tangential spring x y z [m], approach [m/s]
   Buffer<double> roll;          // [contacts][4]: stretch of the rolling spring x y z, of the twisting spring [rad]
+  Buffer<sc_wall_gap> gap;      // [contacts]: the way to the wall at the last evaluation
 };
 
 /// All faces closer to a particle's effect surface than `skin` [m], bodies of infinite mass left out.

@@ -1,4 +1,4 @@
-#include "scree/particles/face_tree.h"
+#include "scree/data/face_tree.h"
 
 #include <algorithm>
 #include <numeric>
