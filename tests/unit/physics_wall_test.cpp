@@ -17,9 +17,7 @@ sc_sphere_wall ball(sc_vec x, double radius) {
   return s;
 }
 
-sc_wall block(int kind, sc_vec low, sc_vec high) {
-  return sc_wall_block(kind, low, high);
-}
+sc_wall block(int kind, sc_vec low, sc_vec high) { return sc_wall_block(kind, low, high); }
 
 /// Distance to the nearest of the points of a fine grid over the block.
 double brute_distance(const sc_wall& w, sc_vec x) {

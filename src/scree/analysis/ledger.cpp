@@ -66,8 +66,8 @@ double moved(const Measured& before, const Measured& after) {
 double LedgerRow::relative_energy_error() const { return relative(energy_error, turnover); }
 
 std::span<const std::string> ledger_channels() {
-  static const std::array<std::string, 9> names{"normal", "sliding",    "rolling",          "drag",
-                                                "body",   "prescribed", "walls", "momentum_impulse", "angular_impulse"};
+  static const std::array<std::string, 9> names{"normal",     "sliding", "rolling",          "drag",           "body",
+                                                "prescribed", "walls",   "momentum_impulse", "angular_impulse"};
   return names;
 }
 

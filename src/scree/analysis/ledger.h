@@ -57,8 +57,8 @@ struct LedgerRow {
 std::span<const std::string> ledger_channels();
 
 /// Sets channels to zero, as if nobody had measured them: the books must then fail to close wherever the channel
-/// matters. Names: normal, sliding, rolling (losses), drag, body, prescribed, walls (work), momentum_impulse, angular_impulse.
-/// Throws InputError for another name.
+/// matters. Names: normal, sliding, rolling (losses), drag, body, prescribed, walls (work), momentum_impulse,
+/// angular_impulse. Throws InputError for another name.
 void leave_out(Measured& measured, std::span<const std::string> channels);
 
 /// Opens the books with the state at the start of the run.

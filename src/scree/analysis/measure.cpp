@@ -29,7 +29,8 @@ sc_vec unwrapped(const ParticleSystem& s, std::size_t i) {
 }
 
 struct Sums {
-  ExactSum kinetic, rotational, lost_normal, lost_sliding, lost_rolling, drag, body, prescribed, walls, scale, free_mass;
+  ExactSum kinetic, rotational, lost_normal, lost_sliding, lost_rolling, drag, body, prescribed, walls, scale,
+      free_mass;
   VectorSum momentum, impulse, angular, angular_impulse;
 
   void add(const Sample& sample, const Fields& fields, std::size_t i) {

@@ -1,25 +1,15 @@
 #include "scree/app/build_walls.h"
 
-#include <map>
-#include <span>
-
 #include "scree/app/build.h"
 #include "scree/app/build_materials.h"
 #include "scree/app/wall_motion.h"
+#include "scree/input/mesh_file.h"
+#include "scree/input/mesh_weld.h"
 
 namespace scree {
 namespace {
 
 sc_vec vec_of(const Vec3& v) { return sc_make_vec(v[0], v[1], v[2]); }
-
-/// Gives equal points equal numbers.
-class Corners {
- public:
-  int number(const Vec3& x) { return numbers_.try_emplace(x, static_cast<int>(numbers_.size())).first->second; }
-
- private:
-  std::map<Vec3, int> numbers_;
-};
 
 void add_box(std::vector<sc_wall>& faces, const Vec3& min, const Vec3& max) {
   for (int axis = 0; axis < 3; ++axis)
@@ -63,15 +53,31 @@ void add_round(std::vector<sc_wall>& faces, const WallKeys& keys) {
   }
 }
 
-/// Triangles whose corners follow each other.
-void add_triangles(std::vector<sc_wall>& faces, std::span<const Vec3> corners) {
-  Corners numbers;
-  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+/// The triangles of a wall, in metres.
+Mesh mesh_of(const WallKeys& keys) {
+  if (keys.type == "mesh") {
+    Mesh mesh = read_mesh(keys.file);
+    for (sc_vec& x : mesh.vertices) x = sc_add_scaled(vec_of(keys.offset), keys.scale, x);
+    return mesh;
+  }
+  Mesh loose;
+  for (std::size_t i = 0; i < keys.vertices.size(); ++i) {
+    loose.vertices.push_back(vec_of(keys.vertices[i]));
+    const int corner = static_cast<int>(i);
+    if (i % 3 == 2) loose.triangles.push_back({corner - 2, corner - 1, corner});
+  }
+  return weld(loose);
+}
+
+void add_triangles(std::vector<sc_wall>& faces, const Mesh& mesh) {
+  for (const auto& [a, b, c] : mesh.triangles) {
     sc_wall face = sc_wall_of(SC_WALL_TRIANGLE);
-    face.a = vec_of(corners[i]);
-    face.b = vec_of(corners[i + 1]);
-    face.c = vec_of(corners[i + 2]);
-    for (int k = 0; k < 3; ++k) face.corner[k] = numbers.number(corners[i + k]);
+    face.a = mesh.vertices[a];
+    face.b = mesh.vertices[b];
+    face.c = mesh.vertices[c];
+    face.corner[0] = a;
+    face.corner[1] = b;
+    face.corner[2] = c;
     faces.push_back(face);
   }
 }
@@ -89,8 +95,8 @@ std::vector<sc_wall> faces_of(const WallKeys& keys) {
     faces.push_back(sc_wall_block(SC_WALL_SOLID_BOX, vec_of(keys.min), vec_of(keys.max)));
   } else if (keys.type == "box") {
     add_box(faces, keys.min, keys.max);
-  } else if (keys.type == "triangles") {
-    add_triangles(faces, keys.vertices);
+  } else if (keys.type == "triangles" || keys.type == "mesh") {
+    add_triangles(faces, mesh_of(keys));
   } else {
     add_round(faces, keys);
   }

@@ -82,7 +82,8 @@ Overlap deepest_at_wall(const ParticleSystem& s) {
       sphere.position = sc_make_vec(m[lane::x], m[lane::y], m[lane::z]);
       sphere.radius = m[lane::radius];
       sphere.inverse_mass = m[lane::inverse_mass];
-      const double share = sc_touch_wall(sphere, s.walls.faces[face], s.walls.pose_of(face)).touch.overlap / m[lane::radius];
+      const double share =
+          sc_touch_wall(sphere, s.walls.faces[face], s.walls.pose_of(face)).touch.overlap / m[lane::radius];
       if (share <= worst.share) continue;
       worst = {share, place_of(p, i) + " and wall '" + s.walls.name_of(face) + "'"};
     }

@@ -25,7 +25,8 @@ std::vector<PrescribedGroup> build_prescribed(const Case& c, const Particles& pa
 /// Gives the bodies of the groups the velocity of their formulas at `time` [s].
 void set_velocities(std::vector<PrescribedGroup>& groups, Particles& particles, double time);
 
-/// Puts into `field` the acceleration that brings a body's velocity from `lag` [s] before `time` to that of its formula.
+/// Puts into `field` the acceleration that brings a body's velocity from `lag` [s] before `time` to that of its
+/// formula.
 void set_accelerations(std::vector<PrescribedGroup>& groups, const Particles& particles, double time, double lag,
                        Buffer<sc_field>& field);
 

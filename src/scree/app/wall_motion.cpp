@@ -41,14 +41,18 @@ Way way_at(WallMotion& m, double time) {
   using Kind = WallMotion::Kind;
   const double t = time_of(m, time);
   switch (m.kind) {
-    case Kind::velocity: return {sc_scale(t, m.velocity), 0};
-    case Kind::rotation: return {sc_zero_vec(), m.rate * t};
-    case Kind::oscillation: return {sc_scale(sc_sin(m.rate * t + m.phase) - sc_sin(m.phase), m.amplitude), 0};
+    case Kind::velocity:
+      return {sc_scale(t, m.velocity), 0};
+    case Kind::rotation:
+      return {sc_zero_vec(), m.rate * t};
+    case Kind::oscillation:
+      return {sc_scale(sc_sin(m.rate * t + m.phase) - sc_sin(m.phase), m.amplitude), 0};
     case Kind::expression: {
       const double at[1] = {t};
       return {sc_make_vec(m.formulas[0](at), m.formulas[1](at), m.formulas[2](at)), m.formulas[3](at)};
     }
-    default: return {sc_zero_vec(), 0};
+    default:
+      return {sc_zero_vec(), 0};
   }
 }
 
@@ -71,10 +75,14 @@ Rates rates_at(WallMotion& m, double time, double dt) {
   if (time < m.start || time >= m.stop) return rest;
   const double phase = m.rate * time_of(m, time) + m.phase;
   switch (m.kind) {
-    case Kind::velocity: return {m.velocity, sc_zero_vec()};
-    case Kind::rotation: return {sc_zero_vec(), sc_scale(m.rate, m.axis)};
-    case Kind::oscillation: return {sc_scale(m.rate * sc_cos(phase), m.amplitude), sc_zero_vec()};
-    default: return rest;
+    case Kind::velocity:
+      return {m.velocity, sc_zero_vec()};
+    case Kind::rotation:
+      return {sc_zero_vec(), sc_scale(m.rate, m.axis)};
+    case Kind::oscillation:
+      return {sc_scale(m.rate * sc_cos(phase), m.amplitude), sc_zero_vec()};
+    default:
+      return rest;
   }
 }
 

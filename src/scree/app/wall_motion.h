@@ -12,16 +12,16 @@
 
 namespace scree {
 
-/// The motion of a wall. Places are functions of time alone, so that a run which continues finds the wall where one that
-/// never stopped has it.
+/// The motion of a wall. Places are functions of time alone, so that a run which continues finds the wall where one
+/// that never stopped has it.
 struct WallMotion {
   enum class Kind { none, velocity, rotation, oscillation, expression, surface };
 
   Kind kind = Kind::none;
-  sc_vec velocity{}, amplitude{};            // [m/s], [m]
-  sc_vec pivot{}, axis{};                    // a point [m] and the unit direction of the axis of rotation
-  double rate = 0, phase = 0;                // angular velocity or frequency [rad/s]; [rad]
-  std::vector<Expression> formulas;          // displacement x y z [m], angle [rad]; of t
+  sc_vec velocity{}, amplitude{};                   // [m/s], [m]
+  sc_vec pivot{}, axis{};                           // a point [m] and the unit direction of the axis of rotation
+  double rate = 0, phase = 0;                       // angular velocity or frequency [rad/s]; [rad]
+  std::vector<Expression> formulas;                 // displacement x y z [m], angle [rad]; of t
   double start = 0, stop = 0, from = 0, until = 0;  // of the motion, and of the wall [s]
   double extent = 0;  // how far from the pivot the parts are that turning moves near particles [m]
 };

@@ -22,10 +22,10 @@ struct Room {
 /// order of the faces. Faces stay where they are at t = 0; the pose of their wall tells where that is now.
 struct Walls {
   std::vector<sc_wall> faces;
-  std::vector<sc_wall_pose> poses;  // of the walls of the case
+  std::vector<sc_wall_pose> poses;      // of the walls of the case
   std::vector<std::size_t> first_face;  // of each wall, and the number of faces
   std::vector<FaceTree> trees;          // of each wall, at home
-  std::vector<std::string> names;   // of the walls of the case
+  std::vector<std::string> names;       // of the walls of the case
   std::vector<Room> rooms;
 
   std::size_t size() const { return faces.size(); }

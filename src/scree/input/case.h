@@ -142,11 +142,11 @@ struct WallKeys {
   std::string name;
   std::string type;  // plane, rectangle, plate, box, cylinder, cone, triangles, mesh
   std::string material;
-  Vec3 point{}, normal{};                            // plane: particles are on the side that the normal points to
-  Vec3 min{}, max{};                                 // rectangle (flat in one axis), box
-  std::string side = "inside";                       // box: particles are inside or outside
-  Vec3 corner{}, edge_a{}, edge_b{};                 // plate
-  Vec3 start{}, end{}, axis{};                       // cylinder, cone
+  Vec3 point{}, normal{};             // plane: particles are on the side that the normal points to
+  Vec3 min{}, max{};                  // rectangle (flat in one axis), box
+  std::string side = "inside";        // box: particles are inside or outside
+  Vec3 corner{}, edge_a{}, edge_b{};  // plate
+  Vec3 start{}, end{}, axis{};        // cylinder, cone
   double radius = 0, start_radius = 0, end_radius = 0;
   bool closed = false;
   std::vector<Vec3> vertices;  // triangles

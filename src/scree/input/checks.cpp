@@ -36,6 +36,8 @@ bool Check::sound(std::initializer_list<std::string> paths) const {
   });
 }
 
+std::string in_words(const Vec3& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
+
 std::string item_path(const char* list, std::size_t index) { return fmt::format("{}.{}", list, index); }
 
 void check_verify(const Check& check) {

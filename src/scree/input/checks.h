@@ -23,11 +23,15 @@ struct Check {
   bool sound(std::initializer_list<std::string> paths) const;
 };
 
+/// "(1, 2, 3)".
+std::string in_words(const Vec3& v);
+
 /// "materials.2", the path of a table in a list.
 std::string item_path(const char* list, std::size_t index);
 
 void check_materials(const Check& check);  // names, references, what the laws need
-void check_geometry(const Check& check);   // domain, walls, regions, positions
+void check_geometry(const Check& check);   // domain, regions, positions
+void check_walls(const Check& check);      // shapes, meshes, motions
 void check_particles(const Check& check);  // sizes, insertion, flow
 void check_fields(const Check& check);     // flows and body forces on periodic axes
 void check_verify(const Check& check);     // variants and expectations

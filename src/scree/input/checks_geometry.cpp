@@ -1,4 +1,4 @@
-// The domain, the walls in it, and where particles are put.
+// The domain, and where particles are put.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,8 +12,6 @@ namespace {
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
-std::string words(const Vec3& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
-
 bool inside(const Vec3& point, const DomainKeys& domain) {
   for (std::size_t i = 0; i < 3; ++i)
     if (!(point[i] >= domain.min[i] && point[i] <= domain.max[i])) return false;
@@ -25,7 +23,7 @@ void check_domain(const Check& check) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (d.max[i] > d.min[i] && std::isfinite(d.max[i] - d.min[i])) continue;
     check.fail("E165", "domain.max", fmt::format("the domain is empty along {}: max is not above min", axis_names[i]),
-               fmt::format("min is {}", words(d.min)), "'min' is the lower corner, 'max' the upper one");
+               fmt::format("min is {}", in_words(d.min)), "'min' is the lower corner, 'max' the upper one");
     return;
   }
 }
@@ -61,13 +59,13 @@ void check_region(const Check& check, std::size_t index) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (p.region_max[i] > p.region_min[i]) continue;
     check.fail("E165", path + ".region_max", fmt::format("the region of '{}' is empty along {}", p.name, axis_names[i]),
-               fmt::format("region_min is {}", words(p.region_min)), "'region_max' is the upper corner");
+               fmt::format("region_min is {}", in_words(p.region_min)), "'region_max' is the upper corner");
     return;
   }
   for (const auto& [name, corner] : {std::pair{".region_min", p.region_min}, std::pair{".region_max", p.region_max}})
     if (!inside(corner, check.c.domain))
       check.fail("E165", path + name, fmt::format("the region of '{}' reaches out of the domain", p.name),
-                 fmt::format("the domain is {} to {}", words(check.c.domain.min), words(check.c.domain.max)),
+                 fmt::format("the domain is {} to {}", in_words(check.c.domain.min), in_words(check.c.domain.max)),
                  "shrink the region, or enlarge [domain]");
 }
 
@@ -78,39 +76,11 @@ void check_positions(const Check& check, std::size_t index) {
   for (std::size_t k = 0; k < p.positions.size(); ++k) {
     if (inside(p.positions[k], check.c.domain)) continue;
     check.fail("E165", path, fmt::format("position {} of '{}' is outside the domain", k, p.name),
-               fmt::format("{} is not in {} to {}", words(p.positions[k]), words(check.c.domain.min),
-                           words(check.c.domain.max)),
+               fmt::format("{} is not in {} to {}", in_words(p.positions[k]), in_words(check.c.domain.min),
+                           in_words(check.c.domain.max)),
                "positions are counted from 0");
     return;
   }
-}
-
-void check_wall(const Check& check, std::size_t index) {
-  const WallKeys& w = check.c.walls[index];
-  const std::string path = item_path("walls", index);
-  if (!check.sound({path + ".type", path + ".normal", path + ".point", path + ".min", path + ".max"})) return;
-  if (w.type == "plane") {
-    const double length = std::hypot(w.normal[0], w.normal[1], w.normal[2]);
-    if (!(length > 1e-100 && length < 1e100))
-      check.fail("E165", path + ".normal", fmt::format("the normal of wall '{}' has no direction", w.name),
-                 fmt::format("its length is {}", length), "give the direction from the plane towards the particles");
-    return;
-  }
-  int flat = 0, reversed = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    flat += w.max[i] == w.min[i] ? 1 : 0;
-    reversed += w.max[i] < w.min[i] ? 1 : 0;
-  }
-  if (reversed > 0)
-    check.fail("E165", path + ".max", fmt::format("max is below min in wall '{}'", w.name),
-               fmt::format("min is {}", words(w.min)), "'min' is the lower corner, 'max' the upper one");
-  else if (w.type == "rectangle" && flat != 1)
-    check.fail("E165", path + ".max",
-               fmt::format("the rectangle '{}' is flat along {} axes instead of one", w.name, flat),
-               fmt::format("min is {}", words(w.min)), "min and max of a rectangle agree along exactly one axis");
-  else if (w.type == "box" && flat > 0)
-    check.fail("E165", path + ".max", fmt::format("the box '{}' has no volume", w.name),
-               fmt::format("min is {}", words(w.min)), "a wall that is flat is a 'rectangle'");
 }
 
 }  // namespace
@@ -123,7 +93,6 @@ void check_geometry(const Check& check) {
     check_region(check, i);
     check_positions(check, i);
   }
-  for (std::size_t i = 0; i < check.c.walls.size(); ++i) check_wall(check, i);
 }
 
 }  // namespace scree

@@ -21,8 +21,7 @@ const Section& motion_section() {
            .required()
            .only_with("type", {"velocity", "surface"}),
        key("point", &S::point, "a point on the axis of rotation; the torque in the series is about it").unit("m"),
-       key("axis", &S::axis, "direction of the axis of rotation, right-handed; any length")
-           .only_with("type", turning),
+       key("axis", &S::axis, "direction of the axis of rotation, right-handed; any length").only_with("type", turning),
        key("angular_velocity", &S::angular_velocity, "how fast it turns")
            .unit("rad/s")
            .required()
@@ -31,7 +30,11 @@ const Section& motion_section() {
            .unit("m")
            .required()
            .only_with("type", {"oscillation"}),
-       key("frequency", &S::frequency, "of the oscillation").unit("Hz").above(0).required().only_with("type", {"oscillation"}),
+       key("frequency", &S::frequency, "of the oscillation")
+           .unit("Hz")
+           .above(0)
+           .required()
+           .only_with("type", {"oscillation"}),
        key("phase", &S::phase, "of the sine at the start: 90 deg starts at the upper end")
            .unit("rad")
            .only_with("type", {"oscillation"}),
@@ -60,7 +63,8 @@ const Section& walls_section() {
       {key("name", &S::name, "name in messages and results").is_a(TextKind::name).defaults_to("wall0, wall1, ..."),
        key("type", &S::type,
            "plane: infinite, one-sided; rectangle: aligned with the axes; plate: a rectangle of any orientation; box: "
-           "the six faces of a box; cylinder, cone: about any axis; triangles: given by their corners; mesh: from an STL "
+           "the six faces of a box; cylinder, cone: about any axis; triangles: given by their corners; mesh: from an "
+           "STL "
            "or OBJ file. All but planes, and boxes with the particles outside, act on both sides")
            .one_of({"plane", "rectangle", "plate", "box", "cylinder", "cone", "triangles", "mesh"})
            .required(),
@@ -78,14 +82,18 @@ const Section& walls_section() {
            .one_of({"inside", "outside"})
            .only_with("type", {"box"}),
        key("corner", &S::corner, "a corner of the plate").unit("m").required().only_with("type", {"plate"}),
-       key("edge_a", &S::edge_a, "the edge from that corner to the next").unit("m").required().only_with("type", {"plate"}),
+       key("edge_a", &S::edge_a, "the edge from that corner to the next")
+           .unit("m")
+           .required()
+           .only_with("type", {"plate"}),
        key("edge_b", &S::edge_b, "the edge from that corner to the other next one, at right angles to edge_a")
            .unit("m")
            .required()
            .only_with("type", {"plate"}),
        key("start", &S::start, "middle of the circle at one end").unit("m").required().only_with("type", round),
-       key("end", &S::end, "middle of the circle at the other end; may be that of start in a cone, which is then a ring "
-                           "or, with one radius 0, a disc")
+       key("end", &S::end,
+           "middle of the circle at the other end; may be that of start in a cone, which is then a ring "
+           "or, with one radius 0, a disc")
            .unit("m")
            .required()
            .only_with("type", round),
@@ -113,7 +121,9 @@ const Section& walls_section() {
            .required()
            .only_with("type", {"mesh"}),
        key("scale", &S::scale, "length of the file's unit").unit("m").above(0).only_with("type", {"mesh"}),
-       key("offset", &S::offset, "where the origin of the file is, after scaling").unit("m").only_with("type", {"mesh"}),
+       key("offset", &S::offset, "where the origin of the file is, after scaling")
+           .unit("m")
+           .only_with("type", {"mesh"}),
        key("from", &S::from, "when the wall appears").unit("s").at_least(0),
        key("until", &S::until, "when it is taken away").unit("s").above(0).defaults_to("never"),
        table("motion", &S::motion, motion_section())},

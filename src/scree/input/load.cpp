@@ -62,6 +62,7 @@ Outcome evaluate(Table root, const std::string& path, const std::vector<std::str
   const Check check{result.c, result.origins, result.problems};
   check_materials(check);
   check_geometry(check);
+  check_walls(check);
   check_particles(check);
   check_fields(check);
   check_verify(check);

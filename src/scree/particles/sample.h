@@ -26,7 +26,7 @@ struct WallLoad {
 /// very pass that would make the next step, without a drift.
 struct Sample {
   ParticleSystem system;
-  Buffer<double> force;  // [n][4]: total force of contacts, fields and drag x y z on each particle [N]
+  Buffer<double> force;              // [n][4]: total force of contacts, fields and drag x y z on each particle [N]
   std::vector<WallLoad> wall_loads;  // of every wall of the case, exact sums
   StoredEnergy stored;
   SweepFindings findings;

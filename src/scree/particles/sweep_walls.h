@@ -58,11 +58,11 @@ struct AmongWalls {
     const sc_wall& other = a.face(u);
     if (u == w || other.body != face.body) continue;
     const sc_wall_gap there = a.gap(u);
-    if (gap.corners != SC_INSIDE_FACE && there.distance < nearer * gap.distance && sc_wall_has_corners(other, face, gap.corners))
+    if (gap.corners != SC_INSIDE_FACE && there.distance < nearer * gap.distance &&
+        sc_wall_has_corners(other, face, gap.corners))
       return false;
     if (u > w || (there.corners & dropped)) continue;
-    const sc_vec apart =
-        sc_sub(sc_scale(there.distance, there.normal), sc_scale(gap.distance, gap.normal));
+    const sc_vec apart = sc_sub(sc_scale(there.distance, there.normal), sc_scale(gap.distance, gap.normal));
     if (sc_dot(apart, apart) < same_point * same_point * radius * radius) return false;
   }
   return true;

@@ -31,12 +31,12 @@ struct ContactLists {
   SweepKernels kernels{};
   SweepPlan plan;
   SweepSlots slots;
-  Buffer<double> listed_at;  // [n][3]: positions when the lists were made [m]
-  double skin = 0;           // [m]
-  double travelled = 0;      // no particle has moved further since then [m]
+  Buffer<double> listed_at;    // [n][3]: positions when the lists were made [m]
+  double skin = 0;             // [m]
+  double travelled = 0;        // no particle has moved further since then [m]
   double walls_travelled = 0;  // nor any wall [m]
-  double margin = 0;         // how far apart bodies may be and still act on each other [m]
-  std::int64_t passes = 0;   // since the lists were made
+  double margin = 0;           // how far apart bodies may be and still act on each other [m]
+  std::int64_t passes = 0;     // since the lists were made
   std::int64_t rebuilds = 0;
   bool made = false;
   bool adapts = true;  // the skin follows the motion

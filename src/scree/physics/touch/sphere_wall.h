@@ -11,15 +11,15 @@
 /// Velocities come twice. Contacts see those of the time to which the velocities of particles belong, half a step
 /// behind the positions in the leapfrog; the books take those at the positions, where the forces act.
 typedef struct {
-  int present;    // outside its time window a wall does nothing
-  int changed;    // it was not so one step before
-  int moves;      // it is not at home, or has a velocity
-  sc_mat turn;    // rotation away from home
-  sc_vec pivot;   // a point of the wall at home, on the axis of its rotation [m]
-  sc_vec place;   // where that point is [m]
+  int present;                    // outside its time window a wall does nothing
+  int changed;                    // it was not so one step before
+  int moves;                      // it is not at home, or has a velocity
+  sc_mat turn;                    // rotation away from home
+  sc_vec pivot;                   // a point of the wall at home, on the axis of its rotation [m]
+  sc_vec place;                   // where that point is [m]
   sc_vec velocity, spin;          // of the pivot [m/s], of the wall [rad/s], as contacts see them
   sc_vec velocity_now, spin_now;  // at the time of the positions
-  sc_vec slip;    // velocity of the surface along itself, seen from the wall at home [m/s]
+  sc_vec slip;                    // velocity of the surface along itself, seen from the wall at home [m/s]
 } sc_wall_pose;
 
 /// A sphere that may touch a wall; the wall is partner B, of infinite mass.

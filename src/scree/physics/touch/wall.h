@@ -10,15 +10,16 @@ enum {
   SC_WALL_PLANE = 0,      // one-sided: particles are on the side that the normal points to
   SC_WALL_RECTANGLE = 1,  // aligned with the axes, flat in the one where low == high; two-sided
   SC_WALL_SOLID_BOX = 2,  // particles are outside
-  SC_WALL_PLATE = 3,    // rectangle of any orientation; two-sided
+  SC_WALL_PLATE = 3,      // rectangle of any orientation; two-sided
   SC_WALL_TRIANGLE = 4,   // two-sided
   SC_WALL_FRUSTUM = 5     // surface between two circles about one axis: cylinder, cone, ring, disc; two-sided
 };
 
 /// One face of a wall, at the place it has at t = 0.
 ///
-/// Faces of one wall may meet in corners (a triangle has three, a frustum's are its two circles) and in the edges between
-/// them. Corners have numbers, so that a sphere which rolls from face to face over an edge touches the wall once.
+/// Faces of one wall may meet in corners (a triangle has three, a frustum's are its two circles) and in the edges
+/// between them. Corners have numbers, so that a sphere which rolls from face to face over an edge touches the wall
+/// once.
 typedef struct {
   int kind;
   int material;
