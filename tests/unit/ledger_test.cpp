@@ -81,8 +81,8 @@ TEST(Ledger, EveryAccountHasItsSign) {
 
 TEST(Ledger, KnowsItsChannels) {
   // Each channel holds another power of two, so that the sum tells which one is missing.
-  const std::vector<std::string> names{"normal", "sliding",    "rolling",          "drag",
-                                       "body",   "prescribed", "momentum_impulse", "angular_impulse"};
+  const std::vector<std::string> names{"normal",     "sliding", "rolling",          "drag",           "body",
+                                       "prescribed", "walls",   "momentum_impulse", "angular_impulse"};
   ASSERT_TRUE(std::equal(names.begin(), names.end(), ledger_channels().begin(), ledger_channels().end()));
   for (std::size_t i = 0; i < names.size(); ++i) {
     Measured all;
@@ -92,12 +92,13 @@ TEST(Ledger, KnowsItsChannels) {
     all.drag_work = 8;
     all.body_work = 16;
     all.prescribed_work = 32;
-    all.impulse[1] = 64;
-    all.angular_impulse[2] = 128;
+    all.wall_work = 64;
+    all.impulse[1] = 128;
+    all.angular_impulse[2] = 256;
     leave_out(all, std::vector<std::string>{names[i]});
-    const double left = all.body_work + all.drag_work + all.prescribed_work + all.dissipated_normal +
+    const double left = all.body_work + all.drag_work + all.prescribed_work + all.wall_work + all.dissipated_normal +
                         all.dissipated_sliding + all.dissipated_rolling + all.impulse[1] + all.angular_impulse[2];
-    EXPECT_EQ(left, 255 - std::exp2(static_cast<double>(i))) << names[i];
+    EXPECT_EQ(left, 511 - std::exp2(static_cast<double>(i))) << names[i];
   }
   Measured any;
   try {

@@ -6,7 +6,7 @@
 #include "physics_two_bodies.h"
 #include "scree/particles/restitution.h"
 #include "scree/physics/contact/collision_time.h"
-#include "scree/physics/touch/wall.h"
+#include "scree/physics/touch/sphere_wall.h"
 
 namespace {
 
