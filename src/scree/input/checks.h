@@ -30,6 +30,7 @@ void check_materials(const Check& check);  // names, references, what the laws n
 void check_geometry(const Check& check);   // domain, walls, regions, positions
 void check_particles(const Check& check);  // sizes, insertion, flow
 void check_fields(const Check& check);     // flows and body forces on periodic axes
+void check_output(const Check& check);     // fields of the frames
 void check_verify(const Check& check);     // variants and expectations
 
 }  // namespace scree
