@@ -1,5 +1,7 @@
 """The particles of one frame as a picture, coloured by agglomerate where there are any, else by speed."""
 
+import sys
+
 import h5py
 import matplotlib.pyplot as plt
 import numpy as np
@@ -91,11 +93,17 @@ def describe(frame, low, high):
 
 
 def draw(frame_path, picture_path, pixels=2400):
-    """Writes the picture; returns its path, or None where the frame has no particles. `pixels` are halved for it."""
+    """Writes the picture; returns its path, or None where the frame has no particles or lacks a field that the picture
+    needs. `pixels` are halved for it."""
     frame = read_frame(frame_path)
     if len(frame["position"]) == 0:
         return None
     with_agglomerates = "agglomerate" in frame and "agglomerate_size" in frame
+    missing = [name for name in ["diameter"] + (not with_agglomerates) * ["velocity"] if name not in frame]
+    if missing:
+        print(f"plot.py: '{frame_path}' does not hold {' and '.join(missing)} (output.fields): no picture of the particles",
+              file=sys.stderr)
+        return None
     colours, scale, label = (colour_by_agglomerate if with_agglomerates else colour_by_speed)(frame)
     low, high, is_domain = frame_box(frame)
     camera = spheres.Camera(low, high, *view_angles(low, high), pixels)

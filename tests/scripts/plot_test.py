@@ -54,6 +54,14 @@ class Pictures(unittest.TestCase):
         picture = matplotlib.image.imread(self.directory / name)[..., :3]
         return np.mean(picture.min(axis=2) < 0.98), np.mean(np.ptp(picture, axis=2) > 0.15)
 
+    def test_a_frame_without_the_fields_of_the_picture_is_left_out_with_a_word(self):
+        write_frame(self.directory / "frames" / "frame_000000.h5", [[0.5, 0.5, 0.5]], [0.1], [[0, 0, 0]])
+        with h5py.File(self.directory / "frames" / "frame_000000.h5", "a") as file:
+            del file["particles/diameter"]
+        result = plot(self.directory)
+        self.assertIn("does not hold diameter (output.fields)", result.stderr)
+        self.assertFalse((self.directory / "particles.png").exists())
+
     def drawn(self, *particles):
         frame = self.directory / "frame.h5"
         write_frame(frame, *particles)

@@ -7,10 +7,7 @@
 #include <thread>
 
 #include "engine_cases.h"
-#include "scree/app/run.h"
-#include "scree/base/atomic_file.h"
-#include "scree/base/error.h"
-#include "scree/output/run_directory.h"
+#include "run_files.h"
 #include "support/temporary_directory.h"
 
 namespace scree {
@@ -48,28 +45,7 @@ Case stirred(const LawChoice& laws, const Overrides& more = {}) {
   return case_of(with_bar(laws), all);
 }
 
-RunOptions into(const fs::path& directory, int threads) {
-  RunOptions o;
-  o.directory = directory.string();
-  o.quiet = true;
-  o.threads = threads;
-  return o;
-}
-
 const Overrides timing = {"simulation.end=0.016", "output.series=0.001", "output.frames=0.004", "output.tracks=[0, 5]"};
-
-/// Everything of a frame directory and the tables, byte for byte, but for what a run says of itself.
-std::map<std::string, std::string> results(const fs::path& directory) {
-  std::map<std::string, std::string> out;
-  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
-    const std::string name = fs::relative(entry.path(), directory).string();
-    if (entry.is_regular_file() && name != "summary.json" && name != "case.toml" && !name.starts_with("checkpoints"))
-      out[name] = read_text_file(entry.path());
-  }
-  return out;
-}
-
-fs::path newest(const fs::path& directory) { return newest_checkpoint(directory).path.value(); }
 
 class RestartOf : public testing::TestWithParam<LawChoice> {};
 
@@ -132,15 +108,6 @@ TEST_P(RestartOf, AStateThroughMemoryGivesTheSameBitsAtAnyMoment) {
 INSTANTIATE_TEST_SUITE_P(All, RestartOf, testing::Values(rough, sticky),
                          [](const auto& law) { return law.param.name; });
 
-std::string refusal(const Case& c, const RunOptions& options) {
-  try {
-    run_case(c, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "not refused";
-}
-
 struct Saved {
   TemporaryDirectory space;
   Case c = case_of(crowd_text(rough, 30), {"simulation.end=1e-3"});
@@ -178,28 +145,64 @@ TEST(Restart, RefusesAForeignOrMissingFile) {
   EXPECT_NE(refusal(s.c, o).find("nothing.h5"), std::string::npos) << refusal(s.c, o);
 }
 
-TEST(Restart, RefusesTheCheckpointOfAnotherCase) {
+Case changed(const Overrides& change) {
+  Overrides all = {"simulation.end=1e-3"};
+  all.insert(all.end(), change.begin(), change.end());
+  return case_of(crowd_text(rough, 30), all);
+}
+
+TEST(Restart, RefusesAnotherCaseByTheNameOfTheKey) {
   Saved s;
-  const auto refused = [&](const Overrides& change, const std::string& word) {
-    Overrides all = {"simulation.end=1e-3"};
-    all.insert(all.end(), change.begin(), change.end());
-    const std::string text = refusal(case_of(crowd_text(rough, 30), all), s.restart());
-    EXPECT_NE(text.find(word), std::string::npos) << change.front() << ": " << text;
+  const auto refused = [&](const std::string& change, const std::string& line) {
+    const std::string text = refusal(changed({change}), s.restart());
+    EXPECT_NE(text.find(line), std::string::npos) << change << ": " << text;
+    EXPECT_NE(text.find("checkpoint_000000000050.h5': the case is another one"), std::string::npos) << text;
   };
-  refused({"simulation.time_step=1e-5"}, "time step");
-  refused({"particles.grains.count=31"}, "particles");
-  refused({"particles.grains.diameter.max=5e-3"}, "particle");
-  refused({"particles.grains.material=\"rubber\""}, "particle");
-  refused({"materials.glass.density=2100"}, "particle");
-  refused({"simulation.seed=5"}, "particle");
-  refused({"particles.pellets.motion=\"fixed\""}, "particle");
+  refused("simulation.time_step=1e-5", "  simulation.time_step  was 2e-05, is 1e-05\n");
+  refused("simulation.seed=5", "  simulation.seed  was 1, is 5\n");
+  refused("particles.grains.count=31", "  particles.grains.count  was 30, is 31\n");
+  refused("particles.grains.diameter.max=5e-3", "  particles.grains.diameter.max  was 0.006, is 0.005\n");
+  refused("particles.grains.material=\"rubber\"", "  particles.grains.material  was \"glass\", is \"rubber\"\n");
+  refused("particles.grains.name=\"gravel\"", "  particles.grains  was there, is not there\n");
+  refused("materials.glass.restitution=0.6", "  materials.glass.restitution  was 0.8, is 0.6\n");
+  refused("walls.box.max.2=0.031", "  walls.box.max  was [0.03, 0.03, 0.03], is [0.03, 0.03, 0.031]\n");
+  refused("gravity.type=\"none\"", "  gravity.type  was \"uniform\", is \"none\"\n");
+  refused("ledger.omit=[\"drag\"]", "  ledger.omit  was [], is [\"drag\"]\n");
   EXPECT_EQ(refusal(s.c, s.restart()), "not refused");
 }
 
-TEST(Restart, MayChangeWhatTheStateDoesNotHold) {
+TEST(Restart, NamesAllDifferencesAtOnceAndWhatMayChange) {
   Saved s;
-  const Case c = case_of(crowd_text(rough, 30), {"simulation.end=1e-3", "materials.glass.restitution=0.6"});
-  EXPECT_EQ(refusal(c, s.restart()), "not refused");
+  const std::string text = refusal(
+      changed({"simulation.seed=5", "materials.rubber.stiffness=1100", "contact.twisting=\"none\"", "output.series=1"}),
+      s.restart());
+  EXPECT_NE(text.find("\n  simulation.seed             was 1, is 5\n"
+                      "  contact.twisting            was \"spring\", is \"none\"\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("\n  materials.rubber.stiffness  was 1000, is 1100\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("output.series"), std::string::npos) << text;
+  EXPECT_NE(text.find("change nothing but simulation.title, simulation.end, output.*, "), std::string::npos) << text;
+}
+
+TEST(Restart, MayChangeEndOutputsAndWhatIsWatched) {
+  Saved s;
+  EXPECT_EQ(refusal(changed({"simulation.end=5e-3", "simulation.title=\"another\"", "output.frames=1e-4",
+                             "output.fields=[\"force\"]", "output.checkpoints=2e-4", "output.tracks=[1]",
+                             "ledger.every=7", "ledger.energy_tolerance=0.5"}),
+                    s.restart()),
+            "not refused");
+}
+
+TEST(Restart, RefusesAnEndBeforeTheCheckpoint) {
+  Saved s;
+  RunOptions o = s.restart();
+  o.until = 5e-4;
+  EXPECT_NE(refusal(s.c, o).find("it is at t = 0.001 s, and the run is to end before, at t = 0.0005 s"),
+            std::string::npos)
+      << refusal(s.c, o);
+  o.until = 1e-3;
+  EXPECT_EQ(refusal(s.c, o), "not refused");
 }
 
 class SignalTo : public testing::TestWithParam<int> {};

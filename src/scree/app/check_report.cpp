@@ -163,8 +163,28 @@ void say_cost(const DerivedCost& cost, Lines& lines) {
        fmt::format("{} ({:.0f} B per particle, {:.0f} B per pair, about {:.2g} pairs per particle)",
                    size_text(cost.memory), cost.bytes_per_particle, cost.bytes_per_pair, cost.pairs_per_particle),
        Verdict::none, ""});
-  lines.push_back({"disk", fmt::format("{} for {} frames and two checkpoints", size_text(cost.disk), cost.frames),
+}
+
+std::string many(std::uint64_t count, const char* what) {
+  return fmt::format("{} {}{}", grouped(static_cast<double>(count)), what, count == 1 ? "" : "s");
+}
+
+void say_outputs(const DerivedCost& cost, const std::optional<OutputPlace>& place, Lines& lines) {
+  lines.push_back({"writes",
+                   fmt::format("{} of {}, {} of {}, {} of {}", many(cost.frames, "frame"), size_text(cost.frame_bytes),
+                               many(cost.rows, "row"), size_text(cost.row_bytes), many(cost.checkpoints, "checkpoint"),
+                               size_text(cost.checkpoint_bytes)),
                    Verdict::none, ""});
+  if (!place) {
+    lines.push_back({"disk", "up to " + size_text(cost.disk), Verdict::none, ""});
+    return;
+  }
+  lines.push_back(
+      {"disk",
+       fmt::format("up to {}; {} are left for '{}'", size_text(cost.disk), size_text(place->free), place->directory),
+       warn_if(cost.disk > place->free),
+       "write fewer frames (output.frames) or fields (output.fields), squeeze them (output.precision, "
+       "output.compression), or write elsewhere (-o DIR)"});
 }
 
 std::string word(Verdict verdict) {
@@ -182,7 +202,8 @@ std::string word(Verdict verdict) {
 
 }  // namespace
 
-std::string check_report(const Case& c, const Derived& d, const std::string& refusal) {
+std::string check_report(const Case& c, const Derived& d, const std::string& refusal,
+                         const std::optional<OutputPlace>& place) {
   Lines lines;
   say_particles(d, lines);
   say_step(c, d.step, lines);
@@ -191,6 +212,7 @@ std::string check_report(const Case& c, const Derived& d, const std::string& ref
   say_lift(c, d, lines);
   if (d.cohesion) say_cohesion(*d.cohesion, lines);
   say_cost(d.cost, lines);
+  say_outputs(d.cost, place, lines);
   std::size_t width = 0;
   for (const Line& line : lines) width = std::max(width, line.label.size());
   std::string text = fmt::format("{}\n\n", c.simulation.title.empty() ? c.path : c.simulation.title);

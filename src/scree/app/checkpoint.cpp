@@ -144,36 +144,6 @@ WallContacts walls_of(std::span<const std::int64_t> ids, std::span<const double>
   return out;
 }
 
-/// What the case says of a particle for all its life.
-bool same_body(const Particles& a, std::size_t i, const Particles& b, std::size_t j) {
-  const double *x = a.motion.row(i), *y = b.motion.row(j);
-  return a.material[i] == b.material[j] && a.group[i] == b.group[j] && a.mass[i] == b.mass[j] &&
-         a.effect_excess[i] == b.effect_excess[j] && x[lane::radius] == y[lane::radius] &&
-         x[lane::inverse_mass] == y[lane::inverse_mass];
-}
-
-bool within(const Domain& domain, const double* x) {
-  for (int k = 0; k < 3; ++k)
-    if (!(x[k] >= domain.min[k] && x[k] <= domain.max[k])) return false;
-  return true;
-}
-
-/// Throws InputError when the particles of a checkpoint are not those that the case makes.
-void require_same_bodies(const ParticleSystem& made, const Particles& saved, const std::string& origin) {
-  const auto row = rows_by_id(made.particles);
-  for (std::size_t i = 0; i < saved.size(); ++i) {
-    const auto found = row.find(saved.id[i]);
-    if (found == row.end() || !same_body(made.particles, static_cast<std::size_t>(found->second), saved, i))
-      throw InputError(
-          fmt::format("{} comes from another case: its particle {} is not the one that this case makes (material, "
-                      "group, size, mass or kind of motion)",
-                      origin, saved.id[i]));
-    if (!within(made.domain, saved.motion.row(i)))
-      throw InputError(
-          fmt::format("{} comes from another case: its particle {} lies outside [domain]", origin, saved.id[i]));
-  }
-}
-
 /// The particles of a checkpoint.
 Particles particles_of(const Archive& archive) {
   Particles out;
@@ -251,7 +221,6 @@ void Simulation::restore(const Archive& archive) {
   if (n != static_cast<std::int64_t>(system_.particles.size()))
     throw InputError(fmt::format("{} holds {} particles, the case {}", archive.origin, n, system_.particles.size()));
   Particles saved = particles_of(archive);
-  require_same_bodies(system_, saved, archive.origin);
   clock_.step = archive.integer("step");
   tally_ = {archive.integer("contact_evaluations"), archive.integer("impacts"), archive.integer("impact_speed")};
   system_.particles = std::move(saved);

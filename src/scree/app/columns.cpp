@@ -11,16 +11,16 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+double whole(std::int64_t n) { return static_cast<double>(n); }
+
+}  // namespace
+
 std::vector<std::uint32_t> order_by_id(const Particles& p) {
   std::vector<std::uint32_t> order(p.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return p.id[a] < p.id[b]; });
   return order;
 }
-
-double whole(std::int64_t n) { return static_cast<double>(n); }
-
-}  // namespace
 
 std::string program_name() { return std::string("scree ") + version; }
 
@@ -133,50 +133,6 @@ void append_sizes(SeriesWriter& writer, double time, const std::map<std::int64_t
   std::vector<double> rows;
   for (const auto& [size, count] : count_by_size) rows.insert(rows.end(), {time, whole(size), whole(count)});
   writer.append(rows);
-}
-
-FrameData frame_data(const Sample& sample, bool agglomerates) {
-  const Particles& p = sample.system.particles;
-  FrameData d;
-  Agglomerates found;
-  if (agglomerates) found = find_agglomerates(p, sample.system.domain, bonds_of(sample.system));
-  for (const std::uint32_t i : order_by_id(p)) {
-    const double *m = p.motion.row(i), *spin = p.spin.row(i);
-    d.id.push_back(p.id[i]);
-    d.position.insert(d.position.end(), m, m + 3);
-    d.velocity.insert(d.velocity.end(), m + 4, m + 7);
-    for (int k = 0; k < 3; ++k) d.angular_velocity.push_back(spin[k] * spin[3]);
-    d.diameter.push_back(2 * m[3]);
-    d.mass.push_back(p.mass[i]);
-    d.material.push_back(p.material[i]);
-    d.group.push_back(p.group[i]);
-    if (!agglomerates) continue;
-    d.agglomerate.push_back(found.label[i]);
-    d.agglomerate_size.push_back(found.size[i]);
-  }
-  return d;
-}
-
-std::vector<FrameColumn> frame_columns(const FrameData& d) {
-  const auto column = [&](const char* name, const char* unit, const char* meaning, const auto& values,
-                          std::uint64_t components) {
-    return FrameColumn{name, unit, meaning, array_view(values.data(), d.id.size(), components)};
-  };
-  std::vector<FrameColumn> out = {
-      column("id", "1", "Number of the particle, for life.", d.id, 1),
-      column("position", "m", "Centre, inside the periodic box.", d.position, 3),
-      column("velocity", "m/s", "Velocity of the centre.", d.velocity, 3),
-      column("angular_velocity", "rad/s", "Angular velocity in the frame of the domain.", d.angular_velocity, 3),
-      column("diameter", "m", "Diameter of the body.", d.diameter, 1),
-      column("mass", "kg", "Mass.", d.mass, 1),
-      column("material", "1", "Place of the material in the case, from 0.", d.material, 1),
-      column("group", "1", "Place of the particle group in the case, from 0.", d.group, 1)};
-  if (!d.agglomerate.empty()) {
-    out.push_back(
-        column("agglomerate", "1", "Smallest id in the agglomerate; -1 for a single particle.", d.agglomerate, 1));
-    out.push_back(column("agglomerate_size", "1", "Number of particles in the agglomerate.", d.agglomerate_size, 1));
-  }
-  return out;
 }
 
 }  // namespace scree

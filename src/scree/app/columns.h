@@ -1,4 +1,4 @@
-// The columns of series.csv, tracks.csv, agglomerates.csv and the frames: names, units, and values from the state.
+// The columns of series.csv, tracks.csv and agglomerates.csv: names, and values from the state.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,6 @@
 #include "scree/analysis/agglomerate_summary.h"
 #include "scree/analysis/ledger.h"
 #include "scree/analysis/measure.h"
-#include "scree/output/frames.h"
 #include "scree/output/series.h"
 #include "scree/particles/sample.h"
 
@@ -35,6 +34,9 @@ struct SeriesRow {
   std::vector<WallLoad> wall_loads;
 };
 
+/// The places of the particles in the order of their ids.
+std::vector<std::uint32_t> order_by_id(const Particles& p);
+
 /// `walls`: the names of the walls of the case.
 std::vector<std::string> series_columns(bool agglomerates, std::span<const std::string> walls);
 std::vector<double> values_of(const SeriesRow& row);
@@ -49,17 +51,5 @@ std::vector<double> track_rows(const Sample& sample, const std::vector<std::uint
 
 std::vector<std::string> size_columns();
 void append_sizes(SeriesWriter& writer, double time, const std::map<std::int64_t, std::int64_t>& count_by_size);
-
-/// The fields of a frame, in the order of ids.
-struct FrameData {
-  std::vector<std::int64_t> id;
-  std::vector<double> position, velocity, angular_velocity, diameter, mass;
-  std::vector<std::int32_t> material, group;
-  std::vector<std::int64_t> agglomerate;
-  std::vector<std::int32_t> agglomerate_size;
-};
-
-FrameData frame_data(const Sample& sample, bool agglomerates);
-std::vector<FrameColumn> frame_columns(const FrameData& data);
 
 }  // namespace scree

@@ -11,11 +11,13 @@
 #include "scree/app/derived.h"
 #include "scree/app/info.h"
 #include "scree/app/plot.h"
+#include "scree/app/restart.h"
 #include "scree/app/run.h"
 #include "scree/app/simulation.h"
 #include "scree/app/verify.h"
 #include "scree/input/explain.h"
 #include "scree/input/load.h"
+#include "scree/input/option.h"
 
 namespace scree {
 namespace {
@@ -42,6 +44,15 @@ struct CaseArguments {
   }
 };
 
+/// An option that is read like a value of a case.
+template <class T, class Read>
+void add_option(CLI::App& command, const std::string& name, const std::string& what, T& target, Read read) {
+  const auto take = [&command, name, &target, read](const std::string& text) {
+    target = static_cast<T>(read(OptionText{command.get_name(), name, text}));
+  };
+  command.add_option_function<std::string>(name, take, what);
+}
+
 /// Why a run of the case would end before it begins; empty if it would not. Builds the initial state to find out.
 std::string refusal_of(const Case& c) {
   try {
@@ -56,20 +67,26 @@ Command declare_run(CLI::App& app) {
   CLI::App* c = app.add_subcommand("run", "Run a case");
   auto arguments = std::make_shared<CaseArguments>();
   auto options = std::make_shared<RunOptions>();
-  auto until = std::make_shared<double>(0);
   auto plot = std::make_shared<bool>(false);
   arguments->declare(*c);
   c->add_option("-o,--output", options->directory, "directory of the results [runs/NAME]");
   c->add_flag("--force", options->force, "replace the results of an earlier run in that directory");
-  c->add_option("--restart", options->restart, "continue from this checkpoint, appending to the results");
-  const CLI::Option* has_until = c->add_option("--until", *until, "end at this time [s]")->check(CLI::PositiveNumber);
-  c->add_option("--threads", options->threads, "threads [all that this process may use]")->check(CLI::PositiveNumber);
+  c->add_option("--restart", options->restart,
+                "go on from a checkpoint file, from the latest in a run directory, or from the \"latest\" of this run, "
+                "appending to its results");
+  add_option(*c, "--until", "end at this time: 0.5, \"20 ms\"", options->until, read_time);
+  add_option(*c, "--wall-time",
+             "pause with a checkpoint before this much time has passed: \"90 s\", \"1.5 h\", 2:30:00; the same command "
+             "line goes on",
+             options->wall_time, read_duration);
+  add_option(*c, "--threads", "threads [all that this process may use]", options->threads, read_count);
   c->add_flag("--quiet", options->quiet, "print nothing but errors");
   c->add_flag("--plot", *plot, "draw series.png and particles.png at the end");
   return {"run", [=] {
             const Case loaded = load_case(arguments->file, arguments->set);
+            if (options->directory.empty() && options->restart != "latest")
+              options->directory = run_directory_of(options->restart);
             if (options->directory.empty()) options->directory = default_directory(arguments->file);
-            if (has_until->count()) options->until = *until;
             const RunResult result = run_case(loaded, *options);
             if (!result.summary.reason.empty()) std::fprintf(stderr, "%s\n", result.summary.reason.c_str());
             if (*plot && result.status == Exit::success) plot_run(options->directory);
@@ -80,11 +97,14 @@ Command declare_run(CLI::App& app) {
 Command declare_check(CLI::App& app) {
   CLI::App* c = app.add_subcommand("check", "Check a case and print the numbers that follow from it; nothing is run");
   auto arguments = std::make_shared<CaseArguments>();
+  auto directory = std::make_shared<std::string>();
   arguments->declare(*c);
+  c->add_option("-o,--output", *directory, "where the results would go [runs/NAME]");
   return {"check", [=] {
             const Case loaded = load_case(arguments->file, arguments->set);
             const std::string refusal = refusal_of(loaded);
-            print(check_report(loaded, derive(loaded), refusal));
+            const std::string place = directory->empty() ? default_directory(arguments->file) : *directory;
+            print(check_report(loaded, derive(loaded), refusal, output_place(place)));
             return static_cast<int>(refusal.empty() ? Exit::success : Exit::input);
           }};
 }
@@ -95,7 +115,7 @@ Command declare_verify(CLI::App& app) {
   c->add_option("names", options->names, "cases, by name or number [all]");
   c->add_option("-o,--output", options->directory, "directory of the results")->capture_default_str();
   c->add_flag("--plot", options->plot, "draw each case over its reference");
-  c->add_option("--threads", options->threads, "threads")->check(CLI::PositiveNumber);
+  add_option(*c, "--threads", "threads", options->threads, read_count);
   return {"verify", [=] {
             options->cases = data_directory("verify").string();
             return verify(*options);
@@ -106,10 +126,9 @@ Command declare_bench(CLI::App& app) {
   CLI::App* c = app.add_subcommand("bench", "Measure speed on the benchmark scenes, and how run time grows");
   auto options = std::make_shared<BenchOptions>();
   c->add_option("names", options->names, "dense, dilute, linear [dense dilute]");
-  c->add_option("--threads", options->threads, "threads [1 and all]")->check(CLI::PositiveNumber);
-  c->add_option("--rounds", options->rounds, "measurements of which the median counts [5, linear 3]")
-      ->check(CLI::PositiveNumber);
-  c->add_option("--particles", options->particles, "linear: the largest size [1000000]")->check(CLI::PositiveNumber);
+  add_option(*c, "--threads", "threads [1 and all]", options->threads, read_count);
+  add_option(*c, "--rounds", "measurements of which the median counts [5, linear 3]", options->rounds, read_count);
+  add_option(*c, "--particles", "linear: the largest size [1000000]", options->particles, read_count);
   c->add_option("--json", options->json, "also write the figures to this file");
   c->add_option("--packings", options->packings, "directory of the particle tables [the user's cache]");
   c->add_option("--plot", options->plot, "linear: draw run time over particles into this PNG");

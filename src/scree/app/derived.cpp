@@ -142,11 +142,7 @@ DerivedCost derive_cost(const Case& c, const std::vector<BodyKind>& kinds, doubl
   out.bytes_per_pair = static_cast<double>(bytes_per_pair(rolls));
   out.pairs_per_particle = expected_pairs(c, out.solid_fraction);
   out.memory = n * (out.bytes_per_particle + out.pairs_per_particle * out.bytes_per_pair);
-  const double interval = c.output.frames;
-  out.frames = steps == 0 ? 1 : interval > 0 ? static_cast<std::uint64_t>(c.simulation.end / interval) + 1 : 2;
-  // Id, position, velocity, angular velocity, diameter, mass, material, group; label and size of the agglomerate.
-  const double per_frame = n * (104.0 + (c.analysis.agglomerates ? 12.0 : 0.0));
-  out.disk = static_cast<double>(out.frames) * per_frame + 2 * out.memory;
+  add_output_cost(c, steps, out);
   return out;
 }
 

@@ -65,10 +65,11 @@ struct DerivedCost {
   std::uint64_t particles = 0;
   double solid_fraction = 0;  // of the domain
   double bytes_per_particle = 0, bytes_per_pair = 0;
-  double pairs_per_particle = 0;  // estimate of the candidates listed
-  double memory = 0;              // [bytes]
-  std::uint64_t frames = 0;
-  double disk = 0;  // frames and checkpoints [bytes]
+  double pairs_per_particle = 0;                                // estimate of the candidates listed
+  double memory = 0;                                            // [bytes]
+  std::uint64_t frames = 0, rows = 0, checkpoints = 0;          // of the series, the tracks included
+  double frame_bytes = 0, row_bytes = 0, checkpoint_bytes = 0;  // of one; frames uncompressed
+  double disk = 0;  // all frames and rows, and three checkpoints: a third is written before the oldest goes [bytes]
 };
 
 struct Derived {
@@ -94,8 +95,21 @@ double time_step_of(const Case& c, const Materials& materials);
 /// (see typical_encounter). Empty without linear cohesion. Draws all diameters of the case: keep the result.
 std::optional<CohesiveImpact> typical_impact(const Case& c, const Materials& materials);
 
+/// Where the results of a run would go, and the room that there is [bytes].
+struct OutputPlace {
+  std::string directory;
+  double free = 0;
+};
+
+/// Looks at the file system that would hold the directory; nothing if it cannot be asked.
+std::optional<OutputPlace> output_place(const std::string& directory);
+
+/// Adds to `cost` what a run of so many steps writes.
+void add_output_cost(const Case& c, double steps, DerivedCost& cost);
+
 /// The text of `scree check`: every number with a verdict (ok, warning, refused) and a remedy where it is not ok.
-/// `refusal` is why the initial state cannot be built, if it cannot.
-std::string check_report(const Case& c, const Derived& derived, const std::string& refusal = {});
+/// `refusal` is why the initial state cannot be built, if it cannot; `place` is where results would go, if known.
+std::string check_report(const Case& c, const Derived& derived, const std::string& refusal = {},
+                         const std::optional<OutputPlace>& place = {});
 
 }  // namespace scree

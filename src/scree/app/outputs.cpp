@@ -7,6 +7,8 @@
 #include "scree/analysis/measure.h"
 #include "scree/app/columns.h"
 #include "scree/app/derived.h"
+#include "scree/app/frame_fields.h"
+#include "scree/input/record.h"
 
 namespace scree {
 namespace {
@@ -19,6 +21,18 @@ std::vector<std::string> wall_names(const Case& c) {
 }
 
 constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+
+/// Whether every number of the motion is one that sums and squares can bear.
+bool is_finite(const Particles& p) {
+  const auto bearable = [](double x) { return std::abs(x) < 1e100; };
+  return std::ranges::all_of(p.motion.values, bearable) && std::ranges::all_of(p.spin.values, bearable);
+}
+
+Compression compression_of(const OutputKeys& output) {
+  if (output.compression == "none") return Compression::none;
+  if (output.compression == "fast") return Compression::fast;
+  return output.compression == "small" ? Compression::small : Compression::whole_numbers;
+}
 
 std::int64_t first_due(double interval, std::int64_t step, double dt) {
   return interval > 0 ? (step == 0 ? 0 : next_due(step, interval, dt)) : never;
@@ -37,7 +51,7 @@ std::int64_t next_due(std::int64_t step, double interval, double dt) {
 }
 
 Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& clock, const Archive* archive)
-    : case_(c), directory_(directory) {
+    : case_(c), record_(case_record(c)), directory_(directory) {
   series_interval_ = c.output.series > 0 ? c.output.series : c.simulation.end / 200;
   const bool agglomerates = c.analysis.agglomerates;
   const Domain domain = build_domain(c);
@@ -46,7 +60,7 @@ Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& cloc
     series_.emplace(SeriesWriter::resume(directory.series(), series_columns(agglomerates, wall_names(c)), now));
     if (!c.output.tracks.empty()) tracks_.emplace(SeriesWriter::resume(directory.tracks(), track_columns(), now));
     if (agglomerates) sizes_.emplace(SeriesWriter::resume(directory.path() / "agglomerates.csv", size_columns(), now));
-    frames_.emplace(FrameWriter::resume(directory.path(), domain, program_name(), now));
+    frames_.emplace(FrameWriter::resume(directory.path(), domain, program_name(), now, compression_of(c.output)));
     books_ = books_from_numbers(archive->get<double>("books"));
     impacts_ = archive->integer("impacts_at_row");
     impact_speed_ = archive->integer("impact_speed_at_row");
@@ -57,7 +71,7 @@ Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& cloc
     series_.emplace(SeriesWriter::create(directory.series(), series_columns(agglomerates, wall_names(c))));
     if (!c.output.tracks.empty()) tracks_.emplace(SeriesWriter::create(directory.tracks(), track_columns()));
     if (agglomerates) sizes_.emplace(SeriesWriter::create(directory.path() / "agglomerates.csv", size_columns()));
-    frames_.emplace(FrameWriter::create(directory.path(), domain, program_name()));
+    frames_.emplace(FrameWriter::create(directory.path(), domain, program_name(), compression_of(c.output)));
   }
   row_due_ = first_due(series_interval_, clock.step, clock.dt);
   frame_due_ = c.output.frames > 0 ? first_due(c.output.frames, clock.step, clock.dt) : (clock.step == 0 ? 0 : never);
@@ -147,7 +161,7 @@ void Outputs::write_frame(Simulation& simulation) {
   const Sample& sample = simulation.sample();
   const Stopwatch watch(simulation.stages(), "output");
   const FrameData data = frame_data(sample, case_.analysis.agglomerates);
-  frames_->write(clock.now(), static_cast<std::uint64_t>(clock.step), frame_columns(data));
+  frames_->write(clock.now(), static_cast<std::uint64_t>(clock.step), frame_columns(data, case_.output));
   frame_step_ = clock.step;
 }
 
@@ -158,6 +172,7 @@ void Outputs::save_books(Archive& archive) const {
   archive.set("row_step", row_step_);
   archive.set("frame_step", frame_step_);
   archive.set("version", program_name());
+  archive.set("case", record_);
 }
 
 void Outputs::write_checkpoint(const Simulation& simulation) {
@@ -179,6 +194,14 @@ std::string Outputs::write_last_good() const {
   write_archive(path, *last_good_);
   directory_.prune_checkpoints();
   return path.string();
+}
+
+bool Outputs::show_failure(Simulation& simulation) {
+  if (!books_ || !is_finite(simulation.system().particles)) return false;
+  take_stock(simulation);
+  if (row_step_ != simulation.clock().step) append_row(simulation);
+  write_frame(simulation);
+  return true;
 }
 
 std::string Outputs::latest_checkpoint() const {

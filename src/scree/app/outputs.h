@@ -35,6 +35,10 @@ class Outputs {
   /// is there. Returns the file's name.
   std::string write_last_good() const;
 
+  /// Row and frame of a state that has gone wrong, as far as its numbers are finite; they are in no books and no
+  /// checkpoint. Returns whether there was anything to show.
+  bool show_failure(Simulation& simulation);
+
   /// Row, frame and checkpoint of the present state, due or not, unless they are there already.
   void finish(Simulation& simulation);
 
@@ -59,6 +63,7 @@ class Outputs {
   void save_books(Archive& archive) const;
 
   Case case_;
+  std::string record_;  // of the case, for the checkpoints
   const RunDirectory& directory_;
   double series_interval_;
   std::optional<SeriesWriter> series_, tracks_, sizes_;

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <iterator>
 
-#include "scree/app/columns.h"
 #include "scree/app/data_files.h"
+#include "scree/app/frame_fields.h"
 #include "scree/app/run.h"
 #include "scree/app/simulation.h"
 #include "scree/base/atomic_file.h"

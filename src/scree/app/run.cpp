@@ -4,25 +4,18 @@
 #include <omp.h>
 #include <sched.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "scree/app/interrupt.h"
-#include "scree/app/outputs.h"
-#include "scree/app/progress.h"
+#include "scree/app/restart.h"
+#include "scree/app/run_loop.h"
 #include "scree/base/atomic_file.h"
 #include "scree/base/version.h"
 #include "scree/input/write.h"
 
 namespace scree {
 namespace {
-
-using WallClock = std::chrono::steady_clock;
-
-double seconds_since(WallClock::time_point begin) {
-  return std::chrono::duration<double>(WallClock::now() - begin).count();
-}
 
 /// Steps until `end`; an end that falls on a step up to rounding is reached by it.
 std::int64_t steps_until(double end, double dt) { return static_cast<std::int64_t>(std::ceil(end / dt - 1e-5)); }
@@ -47,36 +40,8 @@ std::vector<std::pair<std::string, double>> ledger_of(const Outputs& outputs) {
           {"angular_momentum_error", row.angular_momentum_error}};
 }
 
-/// One run while it goes on.
-struct Run {
-  Simulation& simulation;
-  Outputs& outputs;
-  Summary& summary;
-  std::int64_t end_step;
-  std::uint64_t particle_steps = 0;
-
-  void count_step() { particle_steps += simulation.system().particles.size(); }
-
-  /// Steps until the end, an interruption, or the condition of the case. Returns the reason for stopping early.
-  std::string advance(const InterruptGuard& interrupt, Progress* progress) {
-    outputs.write_due(simulation);
-    while (simulation.clock().step < end_step) {
-      if (interrupt.signal()) return fmt::format("signal {}", interrupt.signal());
-      if (outputs.agglomerated()) return {};
-      simulation.step();
-      count_step();
-      outputs.write_due(simulation);
-      if (progress && progress->due())
-        progress->update(simulation.clock().now(), particle_steps, ledger_line(outputs.balance()));
-    }
-    return {};
-  }
-};
-
-void fill_summary(const Run& run, WallClock::time_point begin) {
-  Summary& s = run.summary;
+void fill_summary(const RunLoop& run, Summary& s) {
   const Simulation& sim = run.simulation;
-  s.wall_seconds = seconds_since(begin);
   s.stages.assign(sim.stages().begin(), sim.stages().end());
   s.steps = static_cast<std::uint64_t>(sim.clock().step) - s.first_step;
   s.time = sim.clock().now();
@@ -100,17 +65,6 @@ void say_end(const RunResult& result, const RunOptions& options) {
           .c_str());
 }
 
-}  // namespace
-
-int available_processors() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  if (sched_getaffinity(0, sizeof set, &set) == 0) return std::max(1, CPU_COUNT(&set));
-  return omp_get_num_procs();
-}
-
-namespace {
-
 /// Threads asked for, or the processors at hand. More than a few per processor can only be a mistake.
 int threads_of(const RunOptions& options) {
   const int processors = available_processors(), most = std::max(64, 4 * processors);
@@ -120,59 +74,132 @@ int threads_of(const RunOptions& options) {
   return options.threads > 0 ? options.threads : processors;
 }
 
+Summary begin_summary(const Case& c, const Clock& clock, double end) {
+  Summary summary;
+  summary.version = version;
+  summary.commit = commit;
+  summary.case_file = c.path;
+  summary.title = c.simulation.title;
+  summary.started = timestamp_now();
+  summary.first_step = static_cast<std::uint64_t>(clock.step);
+  summary.end = end;
+  return summary;
+}
+
+/// What `write` is about to write, or why it cannot: a second failure must not hide the first.
+template <class Write>
+std::string second_attempt(const Write& write) {
+  try {
+    return write();
+  } catch (const std::exception& error) {
+    return fmt::format("\n  and {}", error.what());
+  }
+}
+
+void report_stop(Stop stop, const InterruptGuard& interrupt, const RunOptions& options, Outputs& outputs,
+                 RunResult& result) {
+  Summary& summary = result.summary;
+  summary.status = "finished";
+  if (stop == Stop::signal) {
+    summary.status = "interrupted";
+    summary.reason =
+        fmt::format("signal {}; the same run goes on from {}", interrupt.signal(), outputs.latest_checkpoint());
+    result.status = Exit::interrupted;
+  }
+  if (stop == Stop::wall_time) {
+    summary.status = "paused";
+    summary.reason = fmt::format("the wall time of {} is up; the same command line goes on from {}",
+                                 clock_text(*options.wall_time), outputs.latest_checkpoint());
+    result.status = Exit::paused;
+  }
+}
+
+/// Runs to a stop of whatever kind; everything that goes wrong on the way ends up in the result.
+void run_to_stop(RunLoop& run, const RunOptions& options, const InterruptGuard& interrupt, Progress* progress,
+                 RunResult& result) {
+  Outputs& outputs = run.outputs;
+  try {
+    const Stop stop = run.advance(interrupt, progress);
+    // A pause leaves nothing that an uninterrupted run would not have written.
+    if (stop == Stop::wall_time)
+      outputs.write_checkpoint(run.simulation);
+    else
+      outputs.finish(run.simulation);
+    report_stop(stop, interrupt, options, outputs, result);
+  } catch (const PhysicsError& error) {
+    result.summary.status = "failed";
+    result.status = Exit::physics;
+    const std::string saved = second_attempt([&] {
+      const std::string name = outputs.write_last_good();
+      return name.empty() ? name : "\n  the last good state is in " + name;
+    });
+    const std::string shown = second_attempt([&] {
+      return outputs.show_failure(run.simulation) ? "\n  series and frames end with the state of the failure" : "";
+    });
+    result.summary.reason = error.what() + shown + saved;
+  } catch (const ResourceError& error) {
+    result.summary.status = "interrupted";
+    result.status = Exit::resource;
+    const auto found = list_checkpoints(options.directory);
+    result.summary.reason = fmt::format(
+        "{}\n  {}", error.what(),
+        found.empty() ? "there is no checkpoint yet"
+                      : fmt::format("the run goes on from {} (--restart latest)", found.rbegin()->second.string()));
+  }
+}
+
+/// Writes the summary; when the run has gone wrong already, a refusal only adds to its reason.
+void finish_summary(const RunDirectory& directory, RunResult& result) {
+  const auto write = [&] {
+    write_summary(directory.summary(), result.summary);
+    return std::string();
+  };
+  if (result.status == Exit::success)
+    write();
+  else if (result.status == Exit::resource)
+    second_attempt(write);
+  else
+    result.summary.reason += second_attempt(write);
+}
+
 }  // namespace
+
+int available_processors() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  if (sched_getaffinity(0, sizeof set, &set) == 0) return std::max(1, CPU_COUNT(&set));
+  return omp_get_num_procs();
+}
 
 RunResult run_case(const Case& c, const RunOptions& options) {
   const auto begin = WallClock::now();
   const double end = options.until.value_or(c.simulation.end);
   const int threads = threads_of(options);
   omp_set_num_threads(threads);
-  std::optional<Archive> archive;
-  if (!options.restart.empty()) archive = read_archive(options.restart);
+  const Beginning beginning = find_beginning(c, options, end);
+  for (const std::string& warning : beginning.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  if (!options.quiet && !beginning.announcement.empty()) std::fprintf(stderr, "%s\n", beginning.announcement.c_str());
+  if (beginning.nothing_to_do) return {};
   Simulation simulation(c, threads);
-  if (archive) simulation.restore(*archive);
-  const RunDirectory directory(options.directory,
-                               archive         ? Existing::resume
-                               : options.force ? Existing::replace
-                                               : Existing::refuse,
-                               c.path);
-  if (archive) directory.drop_checkpoints_after(static_cast<std::uint64_t>(simulation.clock().step));
+  if (beginning.archive) simulation.restore(*beginning.archive);
+  const RunDirectory directory(options.directory, beginning.existing, c.path);
+  if (beginning.archive) directory.drop_checkpoints_after(static_cast<std::uint64_t>(simulation.clock().step));
+  Outputs outputs(c, directory, simulation.clock(), beginning.archive ? &*beginning.archive : nullptr);
+  // After the tables that go on have been cut with their own checks, those that this run does not write any more.
+  if (beginning.archive) directory.drop_results_after(simulation.clock().now());
   write_text_file(directory.case_file(), resolved_case(c));
 
   RunResult result;
-  Summary& summary = result.summary;
-  summary.version = version;
-  summary.commit = commit;
-  summary.case_file = c.path;
-  summary.title = c.simulation.title;
-  summary.started = timestamp_now();
-  summary.first_step = static_cast<std::uint64_t>(simulation.clock().step);
-  const std::int64_t end_step = steps_until(end, simulation.clock().dt);
-  Outputs outputs(c, directory, simulation.clock(), archive ? &*archive : nullptr);
-  Run run{simulation, outputs, summary, end_step};
+  result.summary = begin_summary(c, simulation.clock(), end);
+  RunLoop run{simulation, outputs, WallLimit(begin, options.wall_time), steps_until(end, simulation.clock().dt)};
   std::optional<Progress> progress;
   if (!options.quiet) progress.emplace(detect_progress(stderr), simulation.clock().now(), end);
   const InterruptGuard interrupt;
-  summary.status = "finished";
-  try {
-    summary.reason = run.advance(interrupt, progress ? &*progress : nullptr);
-    if (!summary.reason.empty()) {
-      summary.status = "interrupted";
-      result.status = Exit::interrupted;
-    }
-    outputs.finish(simulation);
-    if (result.status == Exit::interrupted)
-      summary.reason += fmt::format("; the same run goes on from {}", outputs.latest_checkpoint());
-  } catch (const PhysicsError& error) {
-    summary.status = "failed";
-    summary.reason = error.what();
-    result.status = Exit::physics;
-    const std::string saved = outputs.write_last_good();
-    if (!saved.empty()) summary.reason += "\n  the last good state is in " + saved;
-  }
+  run_to_stop(run, options, interrupt, progress ? &*progress : nullptr, result);
   if (progress) progress->finish(simulation.clock().now(), run.particle_steps, ledger_line(outputs.balance()));
-  fill_summary(run, begin);
-  write_summary(directory.summary(), summary);
+  fill_summary(run, result.summary);
+  result.summary.wall_seconds = seconds_since(begin);
+  finish_summary(directory, result);
   result.balance = outputs.balance();
   if (!options.quiet) say_end(result, options);
   return result;

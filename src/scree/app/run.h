@@ -13,11 +13,12 @@ namespace scree {
 
 struct RunOptions {
   std::string directory;
-  bool force = false;           // replace the results of an earlier run
-  bool quiet = false;           // no progress, no closing words
-  int threads = 0;              // 0: the processors that this process may use
-  std::optional<double> until;  // end of the run instead of the case's [s]
-  std::string restart;          // checkpoint to continue from
+  bool force = false;               // replace the results of an earlier run
+  bool quiet = false;               // no progress, no closing words
+  int threads = 0;                  // 0: the processors that this process may use
+  std::optional<double> until;      // end of the run instead of the case's [s]
+  std::optional<double> wall_time;  // the run pauses before this much time has passed [s]
+  std::string restart;              // checkpoint file, run directory or "latest" to continue from
 };
 
 struct RunResult {
@@ -26,8 +27,9 @@ struct RunResult {
   LedgerRow balance;
 };
 
-/// Runs the case and leaves its results in the directory. Throws InputError and ResourceError; physics that goes wrong
-/// is reported in the result after a checkpoint of the last good state has been written.
+/// Runs the case and leaves its results in the directory. Throws InputError, and ResourceError before the first step;
+/// what goes wrong later is reported in the result: physics after a checkpoint of the last good state and a row and a
+/// frame of the bad one, a full disk with the checkpoint that is kept.
 RunResult run_case(const Case& c, const RunOptions& options);
 
 /// Processors that this process may use.

@@ -8,7 +8,15 @@
 namespace scree {
 
 /// Exit codes of the program; scripts may rely on them.
-enum class Exit : int { success = 0, internal = 1, input = 2, physics = 3, resource = 4, interrupted = 130 };
+enum class Exit : int {
+  success = 0,
+  internal = 1,
+  input = 2,
+  physics = 3,
+  resource = 4,
+  paused = 5,
+  interrupted = 130
+};
 
 /// The user's mistake: a case that cannot be run, an unusable option, a file that is not what it claims to be.
 /// The text is complete: it names place, finding and remedy.

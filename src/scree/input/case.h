@@ -159,10 +159,13 @@ struct WallKeys {
 };
 
 struct OutputKeys {
-  double frames = 0;                  // interval [s]; 0: only first and last
-  double series = 0;                  // interval [s]; 0: 200 rows over the run
-  double checkpoints = 0;             // interval [s]; 0: only at the end
-  std::vector<std::uint64_t> tracks;  // ids of particles whose motion is written at every series row
+  double frames = 0;                          // interval [s]; 0: only first and last
+  double series = 0;                          // interval [s]; 0: 200 rows over the run
+  double checkpoints = 0;                     // interval [s]; 0: only at the end
+  std::vector<std::uint64_t> tracks;          // ids of particles whose motion is written at every series row
+  std::vector<std::string> fields;            // of the particles in frames; empty: the usual ones
+  std::string precision = "double";           // of the floating-point fields in frames: double, single
+  std::string compression = "whole_numbers";  // of frames: whole_numbers, none, fast, small
 };
 
 struct LedgerKeys {

@@ -34,6 +34,7 @@ void check_geometry(const Check& check);   // domain, regions, positions
 void check_walls(const Check& check);      // shapes, meshes, motions
 void check_particles(const Check& check);  // sizes, insertion, flow
 void check_fields(const Check& check);     // flows and body forces on periodic axes
+void check_output(const Check& check);     // fields of the frames
 void check_verify(const Check& check);     // variants and expectations
 
 }  // namespace scree

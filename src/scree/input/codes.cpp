@@ -59,6 +59,9 @@ constexpr ErrorCode codes[] = {
      "The path given to --set, or in a variant, does not lead to a key. Tables in lists are found by their name or by "
      "their index from 0: materials.glass.restitution=0.5, particles.0.velocity.value=[1, 0, 0]."},
     {"E181", "variant that is no valid case", "With the keys that the variant sets, the case has an error."},
+    {"E190", "unusable command line",
+     "A command or an option that Scree does not have, or one without its value. `scree --help` lists the commands, "
+     "`scree run --help` the options of one."},
 };
 
 }  // namespace

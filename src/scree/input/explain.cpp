@@ -25,6 +25,7 @@ std::string explain_key(const Section& section, const Key& key) {
     out += fmt::format("  limits:   {}{}\n", range, key.si_unit.empty() ? "" : " " + key.si_unit);
   out += key.is_required ? "  required\n" : fmt::format("  default:  {}\n", default_of(section, key));
   for (const Condition& c : key.conditions) out += fmt::format("  only with {}\n", in_words(c));
+  if (section.observes || key.may_change) out += "  may change at a restart\n";
   return out;
 }
 

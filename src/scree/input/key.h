@@ -69,6 +69,7 @@ struct Key {
   std::string word;                   // of an optional number: the word for "not given"
   std::string default_text;           // what an absent value means, where it is no constant
   std::vector<Condition> conditions;  // all must hold
+  bool may_change = false;            // at a restart
 
   Key& unit(std::string u) { return si_unit = std::move(u), *this; }
   Key& above(double x) { return limits.low = x, limits.low_open = true, *this; }
@@ -84,6 +85,7 @@ struct Key {
   Key& only_with(std::string key, std::vector<std::string> values) {
     return conditions.push_back({std::move(key), std::move(values)}), *this;
   }
+  Key& may_change_at_restart() { return may_change = true, *this; }
 };
 
 /// A table of the case file.
@@ -93,6 +95,7 @@ struct Section {
   std::string meaning;
   std::vector<Key> keys;
   std::function<std::shared_ptr<void>()> make;  // a fresh struct of this table, to read defaults from
+  bool observes = false;                        // its keys change nothing of the motion: all may change at a restart
 };
 
 /// A key of struct S held in one of its members.

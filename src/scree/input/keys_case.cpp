@@ -33,8 +33,12 @@ const Section& simulation_section() {
       "simulation",
       "[simulation]",
       "How long and in which steps the particles are followed.",
-      {key("title", &S::title, "what the case is about, in words"),
-       key("end", &S::end, "simulated time at which the run ends").unit("s").above(0).required(),
+      {key("title", &S::title, "what the case is about, in words").may_change_at_restart(),
+       key("end", &S::end, "simulated time at which the run ends")
+           .unit("s")
+           .above(0)
+           .required()
+           .may_change_at_restart(),
        key("time_step", &S::time_step, "time step; \"auto\" is the shortest contact time divided by steps_per_contact")
            .unit("s")
            .above(0)
@@ -84,8 +88,20 @@ const Section& output_section() {
            .at_least(0),
        key("series", &S::series, "time between two rows of series.csv; 0: 200 rows over the run").unit("s").at_least(0),
        key("checkpoints", &S::checkpoints, "time between two checkpoints; 0: only at the end").unit("s").at_least(0),
-       key("tracks", &S::tracks, "ids of particles whose motion is written to tracks.csv at every row of the series")},
-      [] { return std::make_shared<S>(); }};
+       key("tracks", &S::tracks, "ids of particles whose motion is written to tracks.csv at every row of the series"),
+       key("fields", &S::fields, "particle fields in the frames, besides id and position which are always there")
+           .one_of({"id", "position", "velocity", "angular_velocity", "diameter", "mass", "material", "group",
+                    "agglomerate", "agglomerate_size", "force", "unwrapped_position", "effect_diameter", "contacts"})
+           .defaults_to("velocity, angular_velocity, diameter, mass, material and group; with analysis.agglomerates "
+                        "also agglomerate and agglomerate_size"),
+       key("precision", &S::precision,
+           "of floating-point numbers in the frames: double, or single with 7 digits and half the size")
+           .one_of({"double", "single"}),
+       key("compression", &S::compression,
+           "of the frames: whole numbers only, which costs nothing; none; everything, fast or as small as it gets")
+           .one_of({"whole_numbers", "none", "fast", "small"})},
+      [] { return std::make_shared<S>(); },
+      true};
   return section;
 }
 
@@ -95,10 +111,12 @@ const Section& ledger_section() {
       "ledger",
       "[ledger]",
       "The books of energy and momentum.",
-      {key("every", &S::every, "steps between two closures of the books; 0: at every row of the series"),
+      {key("every", &S::every, "steps between two closures of the books; 0: at every row of the series")
+           .may_change_at_restart(),
        key("energy_tolerance", &S::energy_tolerance,
            "closure error of the energy, as a fraction of the turnover, at which the run stops; 0: never")
-           .at_least(0),
+           .at_least(0)
+           .may_change_at_restart(),
        key("omit", &S::omit, "channels left out of the books on purpose, to see that the check bites")
            .one_of(
                {"normal", "sliding", "rolling", "drag", "body", "prescribed", "momentum_impulse", "angular_impulse"})},
@@ -118,7 +136,8 @@ const Section& analysis_section() {
                                        "ends the run when this fraction of the particles is in agglomerates; 0: never")
                                        .between(0, 1)
                                        .only_with("agglomerates", {"true"})},
-                                  [] { return std::make_shared<S>(); }};
+                                  [] { return std::make_shared<S>(); },
+                                  true};
   return section;
 }
 

@@ -65,6 +65,7 @@ Outcome evaluate(Table root, const std::string& path, const std::vector<std::str
   check_walls(check);
   check_particles(check);
   check_fields(check);
+  check_output(check);
   check_verify(check);
   return result;
 }

@@ -93,7 +93,7 @@ std::string render_one(const Sources& sources, const Problem& p, const Paint& c)
   const bool in_file = p.place.source == 0;
   const std::string_view text = in_file ? std::string_view(sources.text) : sources.overrides[p.place.source - 1];
   const std::string where = in_file ? fmt::format("{}:{}:{}", sources.path, p.place.line, p.place.column)
-                                    : fmt::format("--set {}", printable(text));
+                                    : sources.before_override + printable(text);
   std::string out = fmt::format("{}{}:{} {}error[{}]{}: {}{}{}\n", c.strong, where, c.reset, c.error, p.code, c.reset,
                                 c.strong, printable(p.message), c.reset);
   if (p.place.length > 0) {

@@ -20,6 +20,7 @@ struct Sources {
   std::string path;                    // of the case file, as the user named it
   std::string text;                    // its content
   std::vector<std::string> overrides;  // "key.path=value"
+  std::string before_override = "--set ";
 };
 
 /// All problems in file order, overrides last:

@@ -22,6 +22,12 @@ bool is_name(std::string_view text) {
   return !text.empty() && text.size() <= 64 && letter(text[0]) && std::all_of(text.begin(), text.end(), inner);
 }
 
+/// Keys of the case are explained by name; options of the command line by the help of their command.
+std::string where_explained(const Section& section, const Key& key) {
+  if (key.name.starts_with("--")) return fmt::format("scree {} --help", section.heading);
+  return fmt::format("scree explain {}", full_name(section, key));
+}
+
 struct Reader {
   const Section& section;
   const Key& key;
@@ -30,7 +36,7 @@ struct Reader {
   bool formulas = false;  // texts are formulas of x, y, z, t
 
   bool fail(const char* code, const Value& value, std::string message, std::string note, const std::string& help = "") {
-    const std::string more = fmt::format("scree explain {}", full_name(section, key));
+    const std::string more = where_explained(section, key);
     problems.push_back(
         {code, value.place, std::move(message), std::move(note), help.empty() ? more : help + "   (" + more + ")"});
     return false;

@@ -5,6 +5,7 @@
 #include "scree/input/codes.h"
 #include "scree/input/explain.h"
 #include "scree/input/keys.h"
+#include "scree/input/record.h"
 #include "scree/input/toml_text.h"
 #include "scree/input/topics.h"
 
@@ -55,7 +56,8 @@ std::string reference_markdown() {
       "# Reference of the case file\n\n"
       "Written by `scree explain --markdown` from the table that also drives the parser; do not edit it by hand.\n\n"
       "A case is a TOML file. Keys that are not known, or have no effect, are errors. Tables in double brackets may be "
-      "repeated.\n\n| table | meaning |\n|---|---|\n";
+      "repeated.\nA restart may change " +
+      changeable_keys() + ".\n\n| table | meaning |\n|---|---|\n";
   for (const Key& key : case_section().keys)
     out += fmt::format("| `{}` | {} |\n", opened_by(key)->heading, key.meaning);
   for_each_section(case_section(), [&](const Section& section) {

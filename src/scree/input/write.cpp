@@ -16,12 +16,6 @@ bool is_place_holder(const Key& key, const std::string& text, void* keys) {
   return text == "\"\"" || text == "[]" || (number != nullptr && !key.limits.contains((*number)(keys)));
 }
 
-/// Whether the key describes the run, and not what `scree verify` does with the case.
-bool describes_run(const Key& key) {
-  const Section* opened = opened_by(key);
-  return opened != &verify_section() && opened != &expect_section();
-}
-
 /// Plain keys first, then the tables, as TOML demands.
 void write_keys(std::string& out, const Section& section, void* keys) {
   for (const Key& key : section.keys) {
@@ -48,6 +42,11 @@ void write_keys(std::string& out, const Section& section, void* keys) {
 }
 
 }  // namespace
+
+bool describes_run(const Key& key) {
+  const Section* opened = opened_by(key);
+  return opened != &verify_section() && opened != &expect_section();
+}
 
 std::string resolved_case(const Case& c) {
   Case copy = c;  // the tables of keys read and write through the same access

@@ -40,16 +40,26 @@ void write_header(Hdf5File& file, const Domain& domain, const std::string& progr
   file.set_attribute("/", "domain_periodic", array_view(periodic.data(), 3));
 }
 
-/// Whole numbers repeat and shrink to a few percent; the lower digits of floating-point results are noise, and
-/// squeezing them costs ten times the writing for a tenth of the size.
-Storage storage_for(Element element) { return is_floating(element) ? Storage::plain : Storage::compressed; }
+Storage storage_for(Element element, Compression compression) {
+  switch (compression) {
+    case Compression::none:
+      return Storage::plain;
+    case Compression::fast:
+      return Storage::compressed;
+    case Compression::small:
+      return Storage::compressed_hard;
+    case Compression::whole_numbers:
+      break;
+  }
+  return is_floating(element) ? Storage::plain : Storage::compressed;
+}
 
 /// One vertex cell per particle. ParaView's XDMF 3 reader makes no cells without such a list, and a cloud without cells
 /// is invisible until glyphs are chosen and cannot be filtered.
-void write_vertices(Hdf5File& file, std::uint64_t points) {
+void write_vertices(Hdf5File& file, std::uint64_t points, Compression compression) {
   std::vector<std::int32_t> vertices(points);
   std::iota(vertices.begin(), vertices.end(), 0);
-  file.write("/vertices", array_view(vertices.data(), points), Storage::compressed);
+  file.write("/vertices", array_view(vertices.data(), points), storage_for(Element::int32, compression));
   file.set_attribute("/vertices", "units", "1");
   file.set_attribute("/vertices", "meaning", "0, 1, 2, ...: the cells of ParaView, one per particle");
 }
@@ -73,23 +83,24 @@ XdmfFrame describe(const fs::path& path, std::uint64_t number) {
 
 }  // namespace
 
-FrameWriter::FrameWriter(fs::path directory, const Domain& domain, std::string program)
-    : directory_(std::move(directory)), domain_(domain), program_(std::move(program)) {
+FrameWriter::FrameWriter(fs::path directory, const Domain& domain, std::string program, Compression compression)
+    : directory_(std::move(directory)), domain_(domain), program_(std::move(program)), compression_(compression) {
   std::error_code error;
   fs::create_directories(directory_ / "frames", error);
   if (error)
     throw ResourceError(fmt::format("cannot create '{}': {}", (directory_ / "frames").string(), error.message()));
 }
 
-FrameWriter FrameWriter::create(const fs::path& directory, const Domain& domain, std::string program) {
-  FrameWriter writer(directory, domain, std::move(program));
+FrameWriter FrameWriter::create(const fs::path& directory, const Domain& domain, std::string program,
+                                Compression compression) {
+  FrameWriter writer(directory, domain, std::move(program), compression);
   writer.write_fields_file();
   return writer;
 }
 
-FrameWriter FrameWriter::resume(const fs::path& directory, const Domain& domain, std::string program,
-                                double last_time) {
-  FrameWriter writer(directory, domain, std::move(program));
+FrameWriter FrameWriter::resume(const fs::path& directory, const Domain& domain, std::string program, double last_time,
+                                Compression compression) {
+  FrameWriter writer(directory, domain, std::move(program), compression);
   std::vector<fs::path> dropped;
   for (const auto& [number, path] : list_numbered(frame_files, directory / "frames")) {
     const XdmfFrame frame = describe(path, number);
@@ -118,11 +129,11 @@ void FrameWriter::write(double time, std::uint64_t step, std::span<const FrameCo
     file.create_group("/particles");
     for (const FrameColumn& column : columns) {
       const std::string place = "/particles/" + column.name;
-      file.write(place, column.values, storage_for(column.values.element));
+      file.write(place, column.values, storage_for(column.values.element, compression_));
       file.set_attribute(place, "units", column.unit);
       file.set_attribute(place, "meaning", column.meaning);
     }
-    write_vertices(file, frame.points);
+    write_vertices(file, frame.points, compression_);
     file.close();
   });
   grids_ += xdmf_grid(frame);

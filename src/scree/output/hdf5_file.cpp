@@ -34,7 +34,7 @@ class Handle {
 };
 
 constexpr hsize_t chunk_bytes = hsize_t{512} << 10;
-constexpr unsigned deflate_level = 1;
+constexpr unsigned quick_level = 1, hard_level = 9;  // of deflate
 
 constexpr std::array elements = {Element::float64, Element::float32, Element::int32, Element::int64,
                                  Element::uint8,   Element::uint32,  Element::uint64};
@@ -175,12 +175,12 @@ void Hdf5File::write(const std::string& name, const ArrayView& array, Storage st
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);          // the same data give the same bytes at any time of day
   H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER);  // every element is written below
-  if (storage == Storage::compressed && array.bytes() > 0) {
+  if (storage != Storage::plain && array.bytes() > 0) {
     const hsize_t row_bytes = array.columns * element_size(array.element);
     const std::array<hsize_t, 2> chunk = {std::clamp<hsize_t>(chunk_bytes / row_bytes, 1, array.rows), array.columns};
     H5Pset_chunk(creation, rank, chunk.data());
     H5Pset_shuffle(creation);
-    H5Pset_deflate(creation, deflate_level);
+    H5Pset_deflate(creation, storage == Storage::compressed ? quick_level : hard_level);
   }
   const Handle dataset(
       H5Dcreate2(handle_, name.c_str(), file_type(array.element), space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);

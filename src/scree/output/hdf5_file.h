@@ -12,8 +12,8 @@
 
 namespace scree {
 
-/// How a dataset is stored: as it is, or in chunks with byte shuffle and deflate.
-enum class Storage { plain, compressed };
+/// How a dataset is stored: as it is, or in chunks with byte shuffle and deflate, quick or thorough.
+enum class Storage { plain, compressed, compressed_hard };
 
 /// What a dataset in a file holds; columns is 1 for a one-dimensional one.
 struct Shape {

@@ -15,6 +15,7 @@
 #include "scree/base/error.h"
 #include "scree/output/archive.h"
 #include "scree/output/numbered_file.h"
+#include "scree/output/series.h"
 
 namespace scree {
 namespace {
@@ -45,8 +46,8 @@ RunDirectory::RunDirectory(fs::path directory, Existing existing, const fs::path
   try {
     if (existing == Existing::refuse && !fs::is_empty(directory_))
       throw InputError(
-          fmt::format("'{}' is not empty; go on with the run in it (--restart), replace its results "
-                      "(--force) or choose another directory (-o DIR)",
+          fmt::format("'{}' is not empty; go on with the run in it (--restart latest), replace its "
+                      "results (--force) or choose another directory (-o DIR)",
                       directory_.string()));
     if (existing == Existing::replace) remove_own_files(case_file);
     for (const auto& [folder, series] : own_folders) make_directory(directory_ / folder);
@@ -102,8 +103,14 @@ fs::path RunDirectory::checkpoint(std::uint64_t step) const {
   return directory_ / "checkpoints" / numbered_name(checkpoint_files, step);
 }
 
+void RunDirectory::drop_results_after(double last_time) const {
+  for (const std::string_view name : own_files)
+    if (name.ends_with(".csv") && fs::exists(directory_ / name)) drop_rows_after(directory_ / name, last_time);
+  fs::remove(summary());
+}
+
 void RunDirectory::prune_checkpoints(std::size_t keep) const {
-  auto found = list_numbered(checkpoint_files, directory_ / "checkpoints");
+  auto found = list_checkpoints(directory_);
   while (found.size() > keep) {
     fs::remove(found.begin()->second);
     found.erase(found.begin());
@@ -111,13 +118,17 @@ void RunDirectory::prune_checkpoints(std::size_t keep) const {
 }
 
 void RunDirectory::drop_checkpoints_after(std::uint64_t step) const {
-  for (const auto& [number, path] : list_numbered(checkpoint_files, directory_ / "checkpoints"))
+  for (const auto& [number, path] : list_checkpoints(directory_))
     if (number > step) fs::remove(path);
+}
+
+std::map<std::uint64_t, fs::path> list_checkpoints(const fs::path& run_directory) {
+  return list_numbered(checkpoint_files, run_directory / "checkpoints");
 }
 
 NewestCheckpoint newest_checkpoint(const fs::path& run_directory) {
   NewestCheckpoint result;
-  const auto found = list_numbered(checkpoint_files, run_directory / "checkpoints");
+  const auto found = list_checkpoints(run_directory);
   for (auto entry = found.rbegin(); entry != found.rend(); ++entry) {
     try {
       verify_archive(entry->second);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ class RunDirectory {
   std::filesystem::path summary() const { return directory_ / "summary.json"; }
   std::filesystem::path checkpoint(std::uint64_t step) const;
 
+  /// Cuts every table at `last_time` [s] and removes the summary of the piece that a restart continues.
+  void drop_results_after(double last_time) const;
+
   /// Removes all checkpoints but the `keep` newest.
   void prune_checkpoints(std::size_t keep = 2) const;
 
@@ -49,6 +53,9 @@ class RunDirectory {
   std::filesystem::path directory_;
   int lock_ = -1;
 };
+
+/// The checkpoints in a run directory by their step, whole or not.
+std::map<std::uint64_t, std::filesystem::path> list_checkpoints(const std::filesystem::path& run_directory);
 
 /// The newest checkpoint in a run directory that is whole, and why newer ones were passed over.
 struct NewestCheckpoint {

@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string header_line(const std::vector<std::string>& names) { return fmt::format("{}\n", fmt::join(names, ",")); }
-
 /// Takes the next line off `text`, without its end; a last line without one was torn by a kill and is dropped.
 bool next_line(std::string_view& text, std::string_view& line) {
   const auto end = text.find('\n');
@@ -34,31 +32,34 @@ bool next_line(std::string_view& text, std::string_view& line) {
   return true;
 }
 
-/// The lines of an existing table up to `last_time`, checked against the expected names.
-std::string rows_until(const fs::path& path, const std::vector<std::string>& names, double last_time) {
+/// The first line of a table without its end; empty when a kill has torn it.
+std::string names_line(const fs::path& path) {
   const std::string contents = read_text_file(path);
   std::string_view rest = contents, line;
-  std::string kept = header_line(names);
-  // A kill right after the file was made may have left it without a complete first line.
-  if (!next_line(rest, line)) return kept;
-  if (line != std::string_view(kept).substr(0, kept.size() - 1))
-    throw InputError(
-        fmt::format("cannot append to '{}': it has the columns\n  {}\nand this run writes\n  {}restart into "
-                    "a new directory (-o DIR)",
-                    path.string(), line, kept));
-  for (std::size_t number = 2; next_line(rest, line); ++number) {
-    double time = 0;
-    const auto parsed = std::from_chars(line.data(), line.data() + line.size(), time);
-    const auto commas = static_cast<std::size_t>(std::ranges::count(line, ','));
-    if (parsed.ec != std::errc() || commas + 1 != names.size())
-      throw InputError(
-          fmt::format("{}:{}: not a row of {} numbers; mend or remove the line", path.string(), number, names.size()));
-    if (time <= last_time) kept.append(line).append("\n");
-  }
-  return kept;
+  return next_line(rest, line) ? std::string(line) : std::string();
 }
 
 }  // namespace
+
+void drop_rows_after(const fs::path& path, double last_time) {
+  const std::string contents = read_text_file(path);
+  std::string_view rest = contents, line;
+  if (!next_line(rest, line)) {
+    fs::remove(path);
+    return;
+  }
+  const auto columns = 1 + std::ranges::count(line, ',');
+  std::string kept = std::string(line) + "\n";
+  for (std::size_t number = 2; next_line(rest, line); ++number) {
+    double time = 0;
+    const auto parsed = std::from_chars(line.data(), line.data() + line.size(), time);
+    if (parsed.ec != std::errc() || 1 + std::ranges::count(line, ',') != columns)
+      throw InputError(
+          fmt::format("{}:{}: not a row of {} numbers; mend or remove the line", path.string(), number, columns));
+    if (time <= last_time) kept.append(line).append("\n");
+  }
+  if (kept != contents) write_text_file(path, kept);
+}
 
 SeriesWriter::SeriesWriter(fs::path path, std::size_t columns)
     : path_(std::move(path)), columns_(columns), descriptor_(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)) {
@@ -73,13 +74,20 @@ SeriesWriter::~SeriesWriter() {
 }
 
 SeriesWriter SeriesWriter::create(const fs::path& path, std::vector<std::string> names) {
-  write_text_file(path, header_line(names));
+  write_text_file(path, fmt::format("{}\n", fmt::join(names, ",")));
   return SeriesWriter(path, names.size());
 }
 
 SeriesWriter SeriesWriter::resume(const fs::path& path, std::vector<std::string> names, double last_time) {
-  if (!fs::exists(path)) return create(path, std::move(names));
-  write_text_file(path, rows_until(path, names, last_time));
+  const std::string expected = fmt::format("{}", fmt::join(names, ",")),
+                    found = fs::exists(path) ? names_line(path) : "";
+  if (found.empty()) return create(path, std::move(names));
+  if (found != expected)
+    throw InputError(
+        fmt::format("cannot append to '{}': it has the columns\n  {}\nand this run writes\n  {}\nrestart into "
+                    "a new directory (-o DIR)",
+                    path.string(), found, expected));
+  drop_rows_after(path, last_time);
   return SeriesWriter(path, names.size());
 }
 
@@ -88,7 +96,15 @@ void SeriesWriter::append(std::span<const double> values) {
   fmt::memory_buffer text;
   for (std::size_t i = 0; i < values.size(); ++i)
     fmt::format_to(std::back_inserter(text), "{}{}", values[i], (i + 1) % columns_ == 0 ? '\n' : ',');
-  write_all(descriptor_, {text.data(), text.size()}, path_);
+  const off_t end = ::lseek(descriptor_, 0, SEEK_END);
+  try {
+    write_all(descriptor_, {text.data(), text.size()}, path_);
+  } catch (const ResourceError&) {
+    // A full disk takes half a row; should the cut fail too, a restart drops the torn line.
+    std::error_code ignored;
+    if (end >= 0) fs::resize_file(path_, static_cast<std::uintmax_t>(end), ignored);
+    throw;
+  }
 }
 
 }  // namespace scree

@@ -8,6 +8,10 @@
 
 namespace scree {
 
+/// Drops the rows of a table that are later than `last_time` [s] (the first column), and a torn last line; a file
+/// without a whole first line is removed. Throws InputError at a line that is no row of numbers, ResourceError.
+void drop_rows_after(const std::filesystem::path& path, double last_time);
+
 /// A CSV file open at its end. The first column is the time [s]; numbers are written with the fewest digits that give
 /// the same double back. Rows reach the operating system at once, so a killed run loses none of them.
 class SeriesWriter {
@@ -23,7 +27,7 @@ class SeriesWriter {
   SeriesWriter& operator=(SeriesWriter&&) = delete;
   ~SeriesWriter();
 
-  /// Appends values.size() / columns rows in one piece. Throws ResourceError.
+  /// Appends values.size() / columns rows in one piece. Throws ResourceError; the table then ends with a whole row.
   void append(std::span<const double> values);
 
  private:

@@ -37,6 +37,7 @@ std::string summary_text(const Summary& s) {
                {"first_step", s.first_step},
                {"steps", s.steps},
                {"time", s.time},
+               {"end", s.end},
                {"time_step", s.time_step},
                {"particles", s.particles},
                {"particle_steps", s.particle_steps},
@@ -51,6 +52,18 @@ std::string summary_text(const Summary& s) {
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
   write_text_file(path, summary_text(summary));
+}
+
+std::optional<PastRun> read_past_run(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return {};
+  const Json json = Json::parse(read_text_file(path), nullptr, false);
+  if (!json.is_object() || !json.contains("status") || !json["status"].is_string()) return {};
+  PastRun past;
+  past.status = json["status"].get<std::string>();
+  if (json.contains("reason") && json["reason"].is_string()) past.reason = json["reason"].get<std::string>();
+  if (json.contains("end") && json["end"].is_number()) past.end = json["end"].get<double>();
+  return past;
 }
 
 std::string timestamp_now() {

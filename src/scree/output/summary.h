@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +15,7 @@ struct Summary {
   std::string program = "scree";
   std::string version, commit;
   std::string case_file, title;
-  std::string status;                                  // finished, interrupted, failed
+  std::string status;                                  // finished, paused, interrupted, failed
   std::string reason;                                  // of a failure or interruption; empty when finished
   std::string started, ended;                          // UTC, ISO 8601
   double wall_seconds = 0;                             // [s]
@@ -22,6 +23,7 @@ struct Summary {
   std::uint64_t first_step = 0;                        // where a restart began
   std::uint64_t steps = 0;                             // done by this run
   double time = 0;                                     // reached [s]
+  double end = 0;                                      // at which the run was to end [s]
   double time_step = 0;                                // [s]
   std::uint64_t particles = 0;
   std::uint64_t particle_steps = 0;  // particles times steps, summed while it ran
@@ -36,6 +38,15 @@ std::string summary_text(const Summary& summary);
 
 /// Writes summary.json atomically. Throws ResourceError.
 void write_summary(const std::filesystem::path& path, const Summary& summary);
+
+/// What a later run asks of an earlier one.
+struct PastRun {
+  std::string status, reason;
+  double end = 0;  // [s]
+};
+
+/// Reads a summary.json; nothing if there is none that can be read.
+std::optional<PastRun> read_past_run(const std::filesystem::path& path);
 
 /// The present time as ISO 8601 in UTC, "2031-05-04T10:20:30Z".
 std::string timestamp_now();

@@ -1,0 +1,143 @@
+#include "scree/app/frame_fields.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include "scree/analysis/agglomerates.h"
+#include "scree/app/columns.h"
+
+namespace scree {
+namespace {
+
+/// In every frame; in those of a case that chooses nothing (of agglomerates: with their analysis); on request only.
+enum class Part { always, usual, of_agglomerates, extra };
+
+struct FrameField {
+  const char *name, *unit, *meaning;
+  Part part;
+  Element element;
+  std::uint64_t components;
+  const void* (*values)(const FrameData&);
+};
+
+#define SCREE_VALUES(member) [](const FrameData& d) -> const void* { return d.member.data(); }
+
+constexpr FrameField fields[] = {
+    {"id", "1", "Number of the particle, for life.", Part::always, Element::int64, 1, SCREE_VALUES(id)},
+    {"position", "m", "Centre, inside the periodic box.", Part::always, Element::float64, 3, SCREE_VALUES(position)},
+    {"velocity", "m/s", "Velocity of the centre.", Part::usual, Element::float64, 3, SCREE_VALUES(velocity)},
+    {"angular_velocity", "rad/s", "Angular velocity in the frame of the domain.", Part::usual, Element::float64, 3,
+     SCREE_VALUES(angular_velocity)},
+    {"diameter", "m", "Diameter of the body.", Part::usual, Element::float64, 1, SCREE_VALUES(diameter)},
+    {"mass", "kg", "Mass.", Part::usual, Element::float64, 1, SCREE_VALUES(mass)},
+    {"material", "1", "Place of the material in the case, from 0.", Part::usual, Element::int32, 1,
+     SCREE_VALUES(material)},
+    {"group", "1", "Place of the particle group in the case, from 0.", Part::usual, Element::int32, 1,
+     SCREE_VALUES(group)},
+    {"agglomerate", "1", "Smallest id in the agglomerate; -1 for a single particle.", Part::of_agglomerates,
+     Element::int64, 1, SCREE_VALUES(agglomerate)},
+    {"agglomerate_size", "1", "Number of particles in the agglomerate.", Part::of_agglomerates, Element::int32, 1,
+     SCREE_VALUES(agglomerate_size)},
+    {"force", "N", "Total force: contacts, body forces and drag.", Part::extra, Element::float64, 3,
+     SCREE_VALUES(force)},
+    {"unwrapped_position", "m", "Centre, with the periods travelled.", Part::extra, Element::float64, 3,
+     SCREE_VALUES(unwrapped_position)},
+    {"effect_diameter", "m", "Diameter within which cohesion acts.", Part::extra, Element::float64, 1,
+     SCREE_VALUES(effect_diameter)},
+    {"contacts", "1", "Number of particles and wall faces in touch.", Part::extra, Element::int32, 1,
+     SCREE_VALUES(contacts)}};
+
+#undef SCREE_VALUES
+
+bool chosen(const FrameField& field, const OutputKeys& output, bool agglomerates) {
+  if (field.part == Part::always) return true;
+  if (!output.fields.empty()) return std::ranges::find(output.fields, field.name) != output.fields.end();
+  return field.part == Part::usual || (field.part == Part::of_agglomerates && agglomerates);
+}
+
+bool in_single(const FrameField& field, const OutputKeys& output) {
+  return field.element == Element::float64 && output.precision == "single";
+}
+
+/// Contacts of each particle, by its place.
+std::vector<std::int32_t> count_contacts(const ParticleSystem& s) {
+  std::vector<std::int32_t> count(s.particles.size(), 0);
+  for (std::size_t c = 0; c < s.contacts.pairs.count; ++c) {
+    if (!s.contacts.active[c]) continue;
+    ++count[s.contacts.pairs.owner[c]];
+    ++count[s.contacts.pairs.partner[c]];
+  }
+  for (std::size_t p = 0; p + 1 < s.wall_contacts.first.size(); ++p)
+    for (std::int32_t w = s.wall_contacts.first[p]; w < s.wall_contacts.first[p + 1]; ++w)
+      count[p] += s.wall_contacts.active[w] != 0;
+  return count;
+}
+
+/// The doubles rounded to floats, owned by the column.
+void round_to_single(FrameColumn& column) {
+  const auto* from = static_cast<const double*>(column.values.data);
+  const auto rounded = std::make_shared<std::vector<float>>(from, from + column.values.rows * column.values.columns);
+  column.values.element = Element::float32;
+  column.values.data = rounded->data();
+  column.owner = rounded;
+}
+
+}  // namespace
+
+FrameData frame_data(const Sample& sample, bool agglomerates) {
+  const Particles& p = sample.system.particles;
+  const std::vector<std::int32_t> contacts = count_contacts(sample.system);
+  FrameData d;
+  Agglomerates found;
+  if (agglomerates) found = find_agglomerates(p, sample.system.domain, bonds_of(sample.system));
+  for (const std::uint32_t i : order_by_id(p)) {
+    const double *m = p.motion.row(i), *spin = p.spin.row(i), *force = &sample.force[4 * std::size_t{i}];
+    d.id.push_back(p.id[i]);
+    d.position.insert(d.position.end(), m, m + 3);
+    d.velocity.insert(d.velocity.end(), m + 4, m + 7);
+    for (int k = 0; k < 3; ++k) d.angular_velocity.push_back(spin[k] * spin[3]);
+    d.diameter.push_back(2 * m[3]);
+    d.mass.push_back(p.mass[i]);
+    d.material.push_back(p.material[i]);
+    d.group.push_back(p.group[i]);
+    d.force.insert(d.force.end(), force, force + 3);
+    for (int k = 0; k < 3; ++k)
+      d.unwrapped_position.push_back(m[k] + p.image.row(i)[k] * sample.system.domain.length(k));
+    d.effect_diameter.push_back(2 * (m[3] + p.effect_excess[i]));
+    d.contacts.push_back(contacts[i]);
+    if (!agglomerates) continue;
+    d.agglomerate.push_back(found.label[i]);
+    d.agglomerate_size.push_back(found.size[i]);
+  }
+  return d;
+}
+
+std::vector<FrameColumn> frame_columns(const FrameData& d, const OutputKeys& output) {
+  std::vector<FrameColumn> out;
+  const bool agglomerates = !d.agglomerate.empty();
+  for (const FrameField& field : fields) {
+    if (!chosen(field, output, agglomerates) || (field.part == Part::of_agglomerates && !agglomerates)) continue;
+    FrameColumn column{
+        field.name, field.unit, field.meaning, {field.element, d.id.size(), field.components, field.values(d)}};
+    if (in_single(field, output)) round_to_single(column);
+    out.push_back(std::move(column));
+  }
+  return out;
+}
+
+std::size_t frame_bytes_per_particle(const OutputKeys& output, bool agglomerates) {
+  std::size_t bytes = sizeof(std::int32_t);  // of the list of vertices
+  for (const FrameField& field : fields)
+    if (chosen(field, output, agglomerates))
+      bytes += field.components * element_size(in_single(field, output) ? Element::float32 : field.element);
+  return bytes;
+}
+
+std::vector<std::string> frame_field_names() {
+  std::vector<std::string> names;
+  for (const FrameField& field : fields) names.emplace_back(field.name);
+  return names;
+}
+
+}  // namespace scree

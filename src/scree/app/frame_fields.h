@@ -1,0 +1,38 @@
+// The particle fields of the frames: what there is, and what a case chooses.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scree/input/case.h"
+#include "scree/output/frames.h"
+#include "scree/particles/sample.h"
+
+namespace scree {
+
+/// Values for the frames, in the order of ids.
+struct FrameData {
+  std::vector<std::int64_t> id;
+  std::vector<double> position, velocity, angular_velocity, diameter, mass;
+  std::vector<std::int32_t> material, group;
+  std::vector<std::int64_t> agglomerate;
+  std::vector<std::int32_t> agglomerate_size;
+  std::vector<double> force, unwrapped_position, effect_diameter;
+  std::vector<std::int32_t> contacts;
+};
+
+/// All fields of the sample; those of agglomerates, which take a search, only if asked for.
+FrameData frame_data(const Sample& sample, bool agglomerates);
+
+/// The columns that the case chooses with output.fields, in the precision of output.precision. They borrow from `data`
+/// or own their values.
+std::vector<FrameColumn> frame_columns(const FrameData& data, const OutputKeys& output);
+
+/// Bytes that the chosen fields of one particle take in a frame, uncompressed, the list of vertices included.
+std::size_t frame_bytes_per_particle(const OutputKeys& output, bool agglomerates);
+
+/// The names of all fields that there are.
+std::vector<std::string> frame_field_names();
+
+}  // namespace scree
