@@ -116,8 +116,9 @@ TEST(Outputs, RowsComeAtTheirTimesFromTheFirstToTheLast) {
 
 TEST(Outputs, TheSummaryHasTheLastRowOfTheSeries) {
   const TemporaryDirectory space;
-  const RunResult result = run_case(case_of(ball_text(), {"output.series=0.003"}), into(space / "run"));
-  const std::vector<std::string> columns = series_columns(false, {});
+  const Case c = case_of(ball_text(), {"output.series=0.003"});
+  const RunResult result = run_case(c, into(space / "run"));
+  const std::vector<std::string> columns = series_columns(c);
   EXPECT_GT(result.summary.ledger.size(), 10u);
   for (const auto& [name, value] : result.summary.ledger) {
     ASSERT_NE(std::find(columns.begin(), columns.end(), name), columns.end()) << name;

@@ -28,7 +28,7 @@ double mean_impact_speed(std::int64_t count, std::int64_t sum) {
   return count > 0 ? whole(sum) * speed_quantum / whole(count) : nan;
 }
 
-std::vector<std::string> series_columns(bool agglomerates, std::span<const std::string> walls) {
+std::vector<std::string> series_columns(const Case& c) {
   std::vector<std::string> names = {"time",
                                     "step",
                                     "kinetic_energy",
@@ -58,13 +58,13 @@ std::vector<std::string> series_columns(bool agglomerates, std::span<const std::
                                     "mean_speed",
                                     "collision_speed",
                                     "stickiness"};
-  if (agglomerates)
+  if (c.analysis.agglomerates)
     names.insert(names.end(), {"agglomerates", "agglomerated_fraction", "largest_agglomerate", "mean_agglomerate_size",
                                "mean_radius_of_gyration", "spanning_agglomerates", "fractal_dimension",
                                "fractal_dimension_error", "coordination_number"});
-  for (const std::string& wall : walls)
+  for (const WallKeys& wall : c.walls)
     for (const char* quantity : {"force", "torque"})
-      for (const char axis : {'x', 'y', 'z'}) names.push_back(wall + "_" + quantity + "_" + axis);
+      for (const char axis : {'x', 'y', 'z'}) names.push_back(wall.name + "_" + quantity + "_" + axis);
   return names;
 }
 

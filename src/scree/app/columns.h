@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "scree/analysis/agglomerate_summary.h"
 #include "scree/analysis/ledger.h"
 #include "scree/analysis/measure.h"
+#include "scree/input/case.h"
 #include "scree/output/series.h"
 #include "scree/particles/sample.h"
 
@@ -37,8 +37,8 @@ struct SeriesRow {
 /// The places of the particles in the order of their ids.
 std::vector<std::uint32_t> order_by_id(const Particles& p);
 
-/// `walls`: the names of the walls of the case.
-std::vector<std::string> series_columns(bool agglomerates, std::span<const std::string> walls);
+/// The columns that a run of the case writes.
+std::vector<std::string> series_columns(const Case& c);
 std::vector<double> values_of(const SeriesRow& row);
 
 /// Mean speed of `count` impacts from the sum in units of speed_quantum; NaN for none [m/s].

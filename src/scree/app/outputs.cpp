@@ -14,12 +14,6 @@ namespace scree {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-std::vector<std::string> wall_names(const Case& c) {
-  std::vector<std::string> names;
-  for (const WallKeys& wall : c.walls) names.push_back(wall.name);
-  return names;
-}
-
 constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
 
 /// Whether every number of the motion is one that sums and squares can bear.
@@ -57,7 +51,7 @@ Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& cloc
   const Domain domain = build_domain(c);
   const double now = clock.now();
   if (archive) {
-    series_.emplace(SeriesWriter::resume(directory.series(), series_columns(agglomerates, wall_names(c)), now));
+    series_.emplace(SeriesWriter::resume(directory.series(), series_columns(c), now));
     if (!c.output.tracks.empty()) tracks_.emplace(SeriesWriter::resume(directory.tracks(), track_columns(), now));
     if (agglomerates) sizes_.emplace(SeriesWriter::resume(directory.path() / "agglomerates.csv", size_columns(), now));
     frames_.emplace(FrameWriter::resume(directory.path(), domain, program_name(), now, compression_of(c.output)));
@@ -68,7 +62,7 @@ Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& cloc
     frame_step_ = archive->integer("frame_step");
     checkpoint_step_ = clock.step;
   } else {
-    series_.emplace(SeriesWriter::create(directory.series(), series_columns(agglomerates, wall_names(c))));
+    series_.emplace(SeriesWriter::create(directory.series(), series_columns(c)));
     if (!c.output.tracks.empty()) tracks_.emplace(SeriesWriter::create(directory.tracks(), track_columns()));
     if (agglomerates) sizes_.emplace(SeriesWriter::create(directory.path() / "agglomerates.csv", size_columns()));
     frames_.emplace(FrameWriter::create(directory.path(), domain, program_name(), compression_of(c.output)));
