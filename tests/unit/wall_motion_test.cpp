@@ -7,6 +7,7 @@
 #include "engine_cases.h"
 #include "scree/analysis/ledger.h"
 #include "scree/analysis/measure.h"
+#include "scree/base/error.h"
 
 namespace scree {
 namespace {
@@ -108,6 +109,33 @@ TEST(MovingWall, OscillatesAsItsFormulaSays) {
   EXPECT_NEAR(formula.place.z, sine.place.z, 1e-15);
   EXPECT_NEAR(formula.velocity.z, sine.velocity.z, 1e-6);
   EXPECT_NEAR(formula.velocity_now.z, 0.02 * 50 * std::numbers::pi * std::cos(50 * std::numbers::pi * 0.007), 1e-6);
+}
+
+/// What the run says when it stops.
+std::string fate(const Case& c, int steps) {
+  try {
+    Simulation s(c, {1, 1});
+    advance(s, steps);
+  } catch (const PhysicsError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(MovingWall, ThatClosesOnAParticleIsNamed) {
+  const std::string floor =
+      "[[walls]]\ntype = \"plane\"\nmaterial = \"steel\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n";
+  const std::string press =
+      "[[walls]]\nname = \"press\"\ntype = \"plane\"\nmaterial = \"steel\"\npoint = [0, 0, 0.0102]\nnormal = [0, 0, "
+      "-1]\n"
+      "motion = { type = \"velocity\", velocity = [0, 0, -0.3] }\n";
+  const std::string closed = fate(case_of(ball_text("[0, 0, 0.005]", floor + press)), 2000);
+  EXPECT_NE(closed.find("'press'. The wall closes on the particle"), std::string::npos) << closed;
+  const std::string gate =
+      "[[walls]]\nname = \"gate\"\ntype = \"rectangle\"\nmaterial = \"steel\"\nmin = [-1, -1, 0.006]\n"
+      "max = [1, 1, 0.006]\nfrom = 0.001\n";
+  const std::string appeared = fate(case_of(ball_text("[0, 0, 0.005]", gate)), 2000);
+  EXPECT_NE(appeared.find("'gate'. The wall appears where the particle is"), std::string::npos) << appeared;
 }
 
 const LawChoice rough{"rough", "rolling = \"spring\"\ntwisting = \"spring\"\n",

@@ -53,7 +53,8 @@ void add_round(std::vector<sc_wall>& faces, const WallKeys& keys) {
   }
 }
 
-/// The triangles of a wall, in metres.
+}  // namespace
+
 Mesh mesh_of(const WallKeys& keys) {
   if (keys.type == "mesh") {
     Mesh mesh = read_mesh(keys.file);
@@ -68,6 +69,8 @@ Mesh mesh_of(const WallKeys& keys) {
   }
   return weld(loose);
 }
+
+namespace {
 
 void add_triangles(std::vector<sc_wall>& faces, const Mesh& mesh) {
   for (const auto& [a, b, c] : mesh.triangles) {

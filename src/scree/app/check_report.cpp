@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <vector>
 
+#include "scree/app/build_walls.h"
 #include "scree/app/derived.h"
+#include "scree/input/mesh_report.h"
 
 namespace scree {
 namespace {
@@ -135,6 +138,20 @@ void say_boundaries(const Case& c, const Derived& d, Lines& lines) {
          fmt::format("make it periodic, or set domain.periodic to false along {}", "xyz"[jump.axis])});
 }
 
+/// Whether the meshes are closed, and what is unusual in them.
+void say_meshes(const Case& c, Lines& lines) {
+  for (const WallKeys& wall : c.walls) {
+    if (wall.type != "mesh" && wall.type != "triangles") continue;
+    const MeshReport report = report_mesh(mesh_of(wall));
+    const bool faulty = report.crowded_edges + report.degenerate + report.duplicate > 0;
+    std::string label = fmt::format("wall '{}'", wall.name);
+    std::istringstream text(describe(report));
+    for (std::string line; std::getline(text, line); label.clear())
+      lines.push_back({label, line, label.empty() && faulty ? Verdict::warning : Verdict::none,
+                       "look at the mesh where it was made"});
+  }
+}
+
 void say_cohesion(const DerivedCohesion& cohesion, Lines& lines) {
   lines.push_back(
       {"cohesion of", fmt::format("{}, reduced mass {:.4g} kg", cohesion.what, cohesion.mass), Verdict::none, ""});
@@ -208,6 +225,7 @@ std::string check_report(const Case& c, const Derived& d, const std::string& ref
   say_particles(d, lines);
   say_step(c, d.step, lines);
   say_boundaries(c, d, lines);
+  say_meshes(c, lines);
   say_fluid(c, d, lines);
   say_lift(c, d, lines);
   if (d.cohesion) say_cohesion(*d.cohesion, lines);

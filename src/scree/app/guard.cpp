@@ -46,6 +46,7 @@ std::string place_of(const Particles& p, std::size_t i) {
 struct Overlap {
   double share = -1;
   std::string who;
+  std::string reason = "The material is too soft for these speeds, or the time step too long: see `scree check`";
 };
 
 Overlap deepest_pair(const ParticleSystem& s) {
@@ -71,21 +72,26 @@ Overlap deepest_pair(const ParticleSystem& s) {
   return worst;
 }
 
+/// Why a particle may be deep in a wall, and what to do.
+std::string reason_of(const sc_wall_pose& pose) {
+  if (pose.changed)
+    return "The wall appears where the particle is: let it appear (walls.from) at another time or place";
+  if (pose.moves) return "The wall closes on the particle: leave room between walls, or slow it down (walls.motion)";
+  return Overlap().reason;
+}
+
 Overlap deepest_at_wall(const ParticleSystem& s) {
   const Particles& p = s.particles;
   Overlap worst;
   for (std::size_t i = 0; i + 1 < s.wall_contacts.first.size(); ++i)
     for (std::int32_t c = s.wall_contacts.first[i]; c < s.wall_contacts.first[i + 1]; ++c) {
-      const std::int32_t face = s.wall_contacts.wall[c];
+      const std::size_t face = static_cast<std::size_t>(s.wall_contacts.wall[c]);
+      const sc_wall_pose& pose = s.walls.pose_of(face);
       const double* m = p.motion.row(i);
-      sc_sphere_wall sphere{};
-      sphere.position = sc_make_vec(m[lane::x], m[lane::y], m[lane::z]);
-      sphere.radius = m[lane::radius];
-      sphere.inverse_mass = m[lane::inverse_mass];
-      const double share =
-          sc_touch_wall(sphere, s.walls.faces[face], s.walls.pose_of(face)).touch.overlap / m[lane::radius];
-      if (share <= worst.share) continue;
-      worst = {share, place_of(p, i) + " and wall '" + s.walls.name_of(face) + "'"};
+      const sc_vec x = sc_make_vec(m[lane::x], m[lane::y], m[lane::z]);
+      const double share = 1 - sc_gap_to_wall(s.walls.faces[face], pose, x).distance / m[lane::radius];
+      if (share <= worst.share || !pose.present) continue;
+      worst = {share, place_of(p, i) + " and wall '" + s.walls.name_of(face) + "'", reason_of(pose)};
     }
   return worst;
 }
@@ -95,9 +101,9 @@ Overlap deepest_at_wall(const ParticleSystem& s) {
   const Overlap pair = deepest_pair(s), wall = deepest_at_wall(s);
   throw PhysicsError(
       fmt::format("t = {:.9g} s: an overlap of {:.3g} of the smaller radius exceeds simulation.max_overlap = "
-                  "{:.3g}, between {}. "
-                  "The material is too soft for these speeds, or the time step too long: see `scree check`",
-                  time, deepest, limit, wall.share > pair.share ? wall.who : pair.who));
+                  "{:.3g}, between {}. {}",
+                  time, deepest, limit, (wall.share > pair.share ? wall : pair).who,
+                  (wall.share > pair.share ? wall : pair).reason));
 }
 
 }  // namespace

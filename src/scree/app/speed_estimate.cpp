@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "scree/app/build.h"
+#include "scree/app/build_walls.h"
+#include "scree/app/wall_motion.h"
 #include "scree/base/expression.h"
 #include "scree/particles/sizes.h"
 #include "scree/physics/drag/drag.h"
@@ -111,6 +114,16 @@ double fastest_at_start(const Case& c, const std::vector<BodyKind>& kinds) {
   return fastest;
 }
 
+/// The fastest that a wall of the case gets [m/s].
+double fastest_wall(const Case& c) {
+  const auto moves = [](const WallKeys& wall) { return wall.motion.type != "none"; };
+  if (std::none_of(c.walls.begin(), c.walls.end(), moves)) return 0;
+  double fastest = 0;
+  for (WallMotion& motion : build_wall_motions(c, build_walls(c), build_domain(c)))
+    fastest = std::max(fastest, fastest_speed(motion, c.simulation.end));
+  return fastest;
+}
+
 /// Speed at which Stokes drag balances the strongest pull on any kind [m/s]; infinite without drag.
 double terminal_speed(const Case& c, const std::vector<BodyKind>& kinds, double pull) {
   if (c.flow.drag == "none") return std::numeric_limits<double>::infinity();
@@ -168,6 +181,9 @@ TopSpeed top_speed(const Case& c, const std::vector<BodyKind>& kinds) {
   const double flow = c.flow.drag == "none" ? 0.0 : flow_speeds(c).fastest;
   if (flow > top.value) top = {flow, "the fastest flow"};
   top = after_fall(c, kinds, top);
+  const double walls = fastest_wall(c);
+  if (walls > 0)
+    top = {top.value + walls, fmt::format("walls that move at up to {:.4g} m/s, added to {}", walls, top.source)};
   const double rotation = rotation_speed(c);
   if (rotation > 0) top = {top.value + rotation, "rotation of the frame, added to " + top.source};
   return top;

@@ -88,10 +88,18 @@ Rates rates_at(WallMotion& m, double time, double dt) {
 
 bool present(const WallMotion& m, double time) { return time >= m.from && time < m.until; }
 
-/// Farthest point of a face from the axis of rotation; a round face about that axis is not moved by turning.
+/// Whether turning leaves a face as it is: round ones about the axis, and planes across it.
+bool keeps_shape(const WallMotion& m, const sc_wall& face) {
+  const bool along = sc_norm(sc_cross(face.b, m.axis)) <= 1e-12;
+  if (face.kind == SC_WALL_PLANE) return along;
+  const double away = sc_norm(sc_reject(sc_sub(face.a, m.pivot), m.axis));
+  return face.kind == SC_WALL_FRUSTUM && along && away <= 1e-12 * std::max(face.start_radius, face.end_radius);
+}
+
+/// Farthest point of a face from the axis of rotation [m].
 double distance_from_axis(const WallMotion& m, const sc_wall& face) {
   const auto off = [&](sc_vec x) { return sc_norm(sc_reject(sc_sub(x, m.pivot), m.axis)); };
-  if (face.kind == SC_WALL_PLANE) return sc_norm(sc_cross(face.b, m.axis)) > 0 ? forever : 0.0;
+  if (face.kind == SC_WALL_PLANE) return forever;
   if (face.kind == SC_WALL_TRIANGLE) return std::max({off(face.a), off(face.b), off(face.c)});
   if (face.kind == SC_WALL_PLATE) {
     const sc_vec p = sc_add(face.a, face.b), q = sc_add(face.a, face.c);
@@ -99,9 +107,7 @@ double distance_from_axis(const WallMotion& m, const sc_wall& face) {
   }
   if (face.kind == SC_WALL_FRUSTUM) {
     const sc_vec end = sc_add_scaled(face.a, face.length, face.b);
-    const double rim = std::max(face.start_radius, face.end_radius), away = std::max(off(face.a), off(end));
-    const bool about_axis = away <= 1e-12 * rim && sc_norm(sc_cross(face.b, m.axis)) <= 1e-12;
-    return about_axis ? 0.0 : away + rim;
+    return std::max(off(face.a), off(end)) + std::max(face.start_radius, face.end_radius);
   }
   double farthest = 0;
   for (int k = 0; k < 8; ++k)
@@ -146,9 +152,12 @@ WallMotion motion_of(const WallKeys& wall) {
 std::vector<WallMotion> build_wall_motions(const Case& c, const Walls& walls, const Domain& domain) {
   std::vector<WallMotion> out;
   for (const WallKeys& wall : c.walls) out.push_back(motion_of(wall));
-  for (const sc_wall& face : walls.faces)
-    out[face.body].extent = std::max(out[face.body].extent, distance_from_axis(out[face.body], face));
-  for (WallMotion& m : out) m.extent = std::min(m.extent, distance_from_axis(m, domain));
+  for (const sc_wall& face : walls.faces) {
+    WallMotion& m = out[face.body];
+    const double distance = std::min(distance_from_axis(m, face), distance_from_axis(m, domain));
+    m.reach = std::max(m.reach, distance);
+    if (!keeps_shape(m, face)) m.extent = std::max(m.extent, distance);
+  }
   return out;
 }
 
@@ -170,6 +179,23 @@ sc_wall_pose pose_at(WallMotion& m, double time, double lag, double dt) {
   const bool slips = m.kind == WallMotion::Kind::surface && time >= m.start && time < m.stop;
   if (slips) pose.slip = m.velocity;
   return pose;
+}
+
+double fastest_speed(WallMotion& m, double end) {
+  using Kind = WallMotion::Kind;
+  const double last = std::min(end, m.stop);
+  if (m.kind == Kind::none || last <= m.start) return 0;
+  if (m.kind == Kind::surface || m.kind == Kind::velocity) return sc_norm(m.velocity);
+  if (m.kind == Kind::oscillation) return m.rate * sc_norm(m.amplitude);
+  if (m.kind == Kind::rotation) return std::abs(m.rate) * m.reach;
+  constexpr int samples = 1000;
+  double fastest = 0;
+  for (int k = 0; k < samples; ++k) {
+    const double from = m.start + (last - m.start) * k / samples, to = m.start + (last - m.start) * (k + 1) / samples;
+    const Rates r = rates_between(m, from, to);
+    fastest = std::max(fastest, sc_norm(r.velocity) + m.reach * sc_norm(r.spin));
+  }
+  return fastest;
 }
 
 double greatest_way(WallMotion& m, double from, double to) {

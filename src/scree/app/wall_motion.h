@@ -23,7 +23,8 @@ struct WallMotion {
   double rate = 0, phase = 0;                       // angular velocity or frequency [rad/s]; [rad]
   std::vector<Expression> formulas;                 // displacement x y z [m], angle [rad]; of t
   double start = 0, stop = 0, from = 0, until = 0;  // of the motion, and of the wall [s]
-  double extent = 0;  // how far from the pivot the parts are that turning moves near particles [m]
+  double reach = 0;   // how far from the axis of rotation the wall goes, as far as particles get there [m]
+  double extent = 0;  // the same, of the parts whose turning changes the shape of the wall [m]
 };
 
 /// The motions of all walls of a case.
@@ -31,6 +32,10 @@ std::vector<WallMotion> build_wall_motions(const Case& c, const Walls& walls, co
 
 /// The pose of a wall at `time`, where steps take `dt` and contacts see velocities of `lag` before [s].
 sc_wall_pose pose_at(WallMotion& motion, double time, double lag, double dt);
+
+/// The fastest that any part or surface of the wall gets up to a time [s], from samples where it moves by formulas
+/// [m/s].
+double fastest_speed(WallMotion& motion, double end);
 
 /// How far any part of the wall that particles may meet goes between two times, at most [m].
 double greatest_way(WallMotion& motion, double from, double to);

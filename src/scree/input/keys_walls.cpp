@@ -59,7 +59,8 @@ const Section& walls_section() {
   static const Section section = {
       "walls",
       "[[walls]]",
-      "A wall, at rest or moving as prescribed, for all the time or for a part of it.",
+      "A wall, at rest or moving as prescribed, for all the time or for a part of it. Walls are not repeated beyond "
+      "periodic faces of the domain.",
       {key("name", &S::name, "name in messages and results").is_a(TextKind::name).defaults_to("wall0, wall1, ..."),
        key("type", &S::type,
            "plane: infinite, one-sided; rectangle: aligned with the axes; plate: a rectangle of any orientation; box: "
