@@ -84,7 +84,7 @@ TEST(Derived, ShortestLinearContactIsWithTheWall) {
   EXPECT_NE(d.step.shortest.find("'small'"), std::string::npos) << d.step.shortest;
   EXPECT_NE(d.step.shortest.find("wall 'floor'"), std::string::npos) << d.step.shortest;
   EXPECT_EQ(d.step.steps, std::ceil(1 / d.step.time_step));
-  EXPECT_EQ(time_step_of(c, build_materials(c)), d.step.time_step);
+  EXPECT_EQ(time_step_of(c, build_materials(c), body_kinds(c)), d.step.time_step);
   c.walls.clear();
   EXPECT_NEAR(derive(c).step.contact_time, 8.230490105296017e-05, 1e-16);
 }
@@ -121,10 +121,10 @@ TEST(Derived, FewStepsAreRefusedOrWarnedOf) {
   const double contact = derive(c).step.contact_time;
   const Materials materials = build_materials(c);
   c.simulation.time_step = contact / 9.9;
-  EXPECT_THROW(time_step_of(c, materials), InputError);
+  EXPECT_THROW(time_step_of(c, materials, body_kinds(c)), InputError);
   EXPECT_NE(check_report(c, derive(c)).find("refused  steps per contact"), std::string::npos);
   c.simulation.time_step = contact / 12;
-  EXPECT_EQ(time_step_of(c, materials), contact / 12);
+  EXPECT_EQ(time_step_of(c, materials, body_kinds(c)), contact / 12);
   EXPECT_NE(check_report(c, derive(c)).find("warning  steps per contact"), std::string::npos);
   c.simulation.time_step = contact / 15.1;
   EXPECT_NE(check_report(c, derive(c)).find("ok       steps per contact"), std::string::npos);
@@ -132,7 +132,7 @@ TEST(Derived, FewStepsAreRefusedOrWarnedOf) {
   c.walls.clear();
   c.particles.resize(1);
   c.particles[0].positions.resize(1);
-  EXPECT_THROW(time_step_of(c, materials), InputError);
+  EXPECT_THROW(time_step_of(c, materials, body_kinds(c)), InputError);
   EXPECT_NE(check_report(c, derive(c)).find("refused  time step"), std::string::npos);
 }
 
@@ -396,12 +396,12 @@ TEST(Derived, CohesionOfATypicalPair) {
   EXPECT_NEAR(d.cohesion->mass, mass, 1e-20);
   const double bond = 1e-8 * 10;
   EXPECT_NEAR(*d.cohesion->stickiness, std::sqrt(bond) / (0.5 * std::sqrt(bond + mass * 4)), 1e-12);
-  const auto impact = typical_impact(c, build_materials(c));
+  const auto impact = typical_impact(c, build_materials(c), body_kinds(c));
   ASSERT_TRUE(impact);
   EXPECT_NEAR(stickiness_number(*impact, 0.01), std::sqrt(bond) / (0.5 * std::sqrt(bond + mass * 1e-4)), 1e-12);
   c.contact.laws.cohesion = SC_COHESION_NONE;
   EXPECT_FALSE(derive(c).cohesion);
-  EXPECT_FALSE(typical_impact(c, build_materials(c)));
+  EXPECT_FALSE(typical_impact(c, build_materials(c), body_kinds(c)));
 }
 
 // A bond without force has the stiffness dF/d(delta) of the JKR curve, taken here by finite differences.

@@ -81,8 +81,9 @@ TEST(Ledger, EveryAccountHasItsSign) {
 
 TEST(Ledger, KnowsItsChannels) {
   // Each channel holds another power of two, so that the sum tells which one is missing.
-  const std::vector<std::string> names{"normal",     "sliding", "rolling",          "drag",           "body",
-                                       "prescribed", "walls",   "momentum_impulse", "angular_impulse"};
+  const std::vector<std::string> names{"normal",  "sliding",          "rolling",        "drag",
+                                       "body",    "prescribed",       "walls",          "inserted",
+                                       "removed", "momentum_impulse", "angular_impulse"};
   ASSERT_TRUE(std::equal(names.begin(), names.end(), ledger_channels().begin(), ledger_channels().end()));
   for (std::size_t i = 0; i < names.size(); ++i) {
     Measured all;
@@ -93,12 +94,20 @@ TEST(Ledger, KnowsItsChannels) {
     all.body_work = 16;
     all.prescribed_work = 32;
     all.wall_work = 64;
-    all.impulse[1] = 128;
-    all.angular_impulse[2] = 256;
+    all.inserted = 64 + 32;
+    all.inserted_momentum[0] = 16;
+    all.inserted_angular_momentum[1] = 16;
+    all.removed = 128 + 64;
+    all.removed_momentum[2] = 32;
+    all.removed_angular_momentum[0] = 32;
+    all.impulse[1] = 512;
+    all.angular_impulse[2] = 1024;
     leave_out(all, std::vector<std::string>{names[i]});
     const double left = all.body_work + all.drag_work + all.prescribed_work + all.wall_work + all.dissipated_normal +
-                        all.dissipated_sliding + all.dissipated_rolling + all.impulse[1] + all.angular_impulse[2];
-    EXPECT_EQ(left, 511 - std::exp2(static_cast<double>(i))) << names[i];
+                        all.dissipated_sliding + all.dissipated_rolling + all.impulse[1] + all.angular_impulse[2] +
+                        all.inserted + all.inserted_momentum[0] + all.inserted_angular_momentum[1] + all.removed +
+                        all.removed_momentum[2] + all.removed_angular_momentum[0];
+    EXPECT_EQ(left, 2047 - std::exp2(static_cast<double>(i))) << names[i];
   }
   Measured any;
   try {

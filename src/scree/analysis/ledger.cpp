@@ -27,7 +27,7 @@ struct Account {
   const char* what;  // in messages
 };
 
-constexpr std::array<Account, 11> accounts{{
+constexpr std::array<Account, 13> accounts{{
     {&Measured::kinetic, 1, true, "kinetic energy"},
     {&Measured::rotational, 1, true, "rotational energy"},
     {&Measured::elastic, 1, true, "elastic energy"},
@@ -36,10 +36,24 @@ constexpr std::array<Account, 11> accounts{{
     {&Measured::drag_work, -1, false, "work of drag"},
     {&Measured::prescribed_work, -1, false, "work of prescribed bodies"},
     {&Measured::wall_work, -1, false, "work of walls"},
+    {&Measured::inserted, -1, false, "inserted energy"},
+    {&Measured::removed, 1, false, "removed energy"},
     {&Measured::dissipated_normal, 1, false, "loss by normal damping"},
     {&Measured::dissipated_sliding, 1, false, "loss by sliding"},
     {&Measured::dissipated_rolling, 1, false, "loss by rolling"},
 }};
+
+/// What impulses and particles have added.
+Vector added(const Vector& impulse, const Vector& inserted, const Vector& removed) {
+  return {impulse[0] + (inserted[0] - removed[0]), impulse[1] + (inserted[1] - removed[1]),
+          impulse[2] + (inserted[2] - removed[2])};
+}
+
+Vector added_momentum(const Measured& m) { return added(m.impulse, m.inserted_momentum, m.removed_momentum); }
+
+Vector added_angular_momentum(const Measured& m) {
+  return added(m.angular_impulse, m.inserted_angular_momentum, m.removed_angular_momentum);
+}
 
 /// |now - start - added|.
 double closure(const Vector& now, const Vector& start, const Vector& added, const Vector& added_at_start) {
@@ -66,8 +80,9 @@ double moved(const Measured& before, const Measured& after) {
 double LedgerRow::relative_energy_error() const { return relative(energy_error, turnover); }
 
 std::span<const std::string> ledger_channels() {
-  static const std::array<std::string, 9> names{"normal",     "sliding", "rolling",          "drag",           "body",
-                                                "prescribed", "walls",   "momentum_impulse", "angular_impulse"};
+  static const std::array<std::string, 11> names{"normal",  "sliding",          "rolling",        "drag",
+                                                 "body",    "prescribed",       "walls",          "inserted",
+                                                 "removed", "momentum_impulse", "angular_impulse"};
   return names;
 }
 
@@ -87,6 +102,12 @@ void leave_out(Measured& measured, std::span<const std::string> channels) {
       measured.prescribed_work = 0;
     } else if (name == "walls") {
       measured.wall_work = 0;
+    } else if (name == "inserted") {
+      measured.inserted = 0;
+      measured.inserted_momentum = measured.inserted_angular_momentum = {};
+    } else if (name == "removed") {
+      measured.removed = 0;
+      measured.removed_momentum = measured.removed_angular_momentum = {};
     } else if (name == "momentum_impulse") {
       measured.impulse = {};
     } else if (name == "angular_impulse") {
@@ -113,11 +134,11 @@ LedgerRow balance(const Books& books, const Measured& now, bool any_periodic) {
     row.energy_error += account.sign * (now.*account.amount - start.*account.amount);
   }
   row.turnover = books.turnover + moved(books.last, now);
-  row.momentum_error = closure(now.momentum, start.momentum, now.impulse, start.impulse);
+  row.momentum_error = closure(now.momentum, start.momentum, added_momentum(now), added_momentum(start));
   row.relative_momentum_error = relative(row.momentum_error, std::fmax(books.momentum_scale, now.momentum_scale));
-  row.angular_momentum_error =
-      any_periodic ? std::numeric_limits<double>::quiet_NaN()
-                   : closure(now.angular_momentum, start.angular_momentum, now.angular_impulse, start.angular_impulse);
+  row.angular_momentum_error = any_periodic ? std::numeric_limits<double>::quiet_NaN()
+                                            : closure(now.angular_momentum, start.angular_momentum,
+                                                      added_angular_momentum(now), added_angular_momentum(start));
   return row;
 }
 

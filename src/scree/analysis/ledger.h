@@ -18,10 +18,15 @@ struct Measured {
   double body_work = 0, drag_work = 0, prescribed_work = 0, wall_work = 0;
   // Energy lost since the start, positive [J].
   double dissipated_normal = 0, dissipated_sliding = 0, dissipated_rolling = 0;
+  // Energy that particles brought along and took away since the start, that of their contacts included [J].
+  double inserted = 0, removed = 0;
   // Momentum [kg m/s] and angular momentum about the origin [kg m2/s], and what all external forces (body forces, drag,
   // walls, prescribed bodies) have added to them since the start.
   std::array<double, 3> momentum{}, impulse{};
   std::array<double, 3> angular_momentum{}, angular_impulse{};
+  // What particles that came and went brought along and took away of both.
+  std::array<double, 3> inserted_momentum{}, removed_momentum{};
+  std::array<double, 3> inserted_angular_momentum{}, removed_angular_momentum{};
   double momentum_scale = 0;  // sum of the magnitudes m |v| of all particles, to compare errors with [kg m/s]
 };
 
@@ -35,7 +40,7 @@ struct Books {
 
 /// How well the books close at one moment.
 struct LedgerRow {
-  /// Energy now - energy at the start - work + losses [J].
+  /// Energy now - energy at the start - work + losses - inserted + removed [J].
   double energy_error = 0;
 
   /// All energy that has moved: the magnitude of what was there at the start, and half the sum of the magnitudes of
@@ -57,8 +62,8 @@ struct LedgerRow {
 std::span<const std::string> ledger_channels();
 
 /// Sets channels to zero, as if nobody had measured them: the books must then fail to close wherever the channel
-/// matters. Names: normal, sliding, rolling (losses), drag, body, prescribed, walls (work), momentum_impulse,
-/// angular_impulse. Throws InputError for another name.
+/// matters. Names: normal, sliding, rolling (losses), drag, body, prescribed, walls (work), inserted, removed (energy
+/// and momenta), momentum_impulse, angular_impulse. Throws InputError for another name.
 void leave_out(Measured& measured, std::span<const std::string> channels);
 
 /// Opens the books with the state at the start of the run.

@@ -3,86 +3,75 @@
 #include <cmath>
 
 #include "scree/base/exact_sum.h"
+#include "scree/particles/holdings.h"
 
 namespace scree {
 namespace {
 
-sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
-
-struct VectorSum {
-  ExactSum x, y, z;
-
-  void add(sc_vec v) {
-    x.add(v.x);
-    y.add(v.y);
-    z.add(v.z);
-  }
-  std::array<double, 3> value() const { return {x.value(), y.value(), z.value()}; }
-};
-
-/// Position with the periods that the particle has travelled.
-sc_vec unwrapped(const ParticleSystem& s, std::size_t i) {
-  const double* m = s.particles.motion.row(i);
-  const std::int32_t* image = s.particles.image.row(i);
-  return sc_make_vec(m[0] + image[0] * s.domain.period(0), m[1] + image[1] * s.domain.period(1),
-                     m[2] + image[2] * s.domain.period(2));
-}
+void add(ExactVectorSum& sum, sc_vec v) { sum.add(v.x, v.y, v.z); }
 
 struct Sums {
-  ExactSum kinetic, rotational, lost_normal, lost_sliding, lost_rolling, drag, body, prescribed, walls, scale,
-      free_mass;
-  VectorSum momentum, impulse, angular, angular_impulse;
+  ExactSum kinetic, rotational, scale, free_mass;
+  ExactSum loss[4], work[4];  // by lane, as the particles keep them
+  ExactVectorSum momentum, impulse, angular, angular_impulse;
 
-  void add(const Sample& sample, const Fields& fields, std::size_t i) {
+  /// Begins with the accounts of those that are gone.
+  explicit Sums(const Passage& passage) : impulse(passage.impulse), angular_impulse(passage.angular_impulse) {
+    for (int k = 0; k < 4; ++k) {
+      loss[k] = passage.loss[k];
+      work[k] = passage.work[k];
+    }
+  }
+
+  void add_particle(const Sample& sample, const Fields& fields, std::size_t i) {
     const Particles& p = sample.system.particles;
-    const double* m = p.motion.row(i);
-    lost_normal.add(p.loss.row(i)[0]);
-    lost_sliding.add(p.loss.row(i)[1]);
-    lost_rolling.add(p.loss.row(i)[2]);
-    drag.add(p.work.row(i)[0]);
-    body.add(p.work.row(i)[1]);
-    prescribed.add(p.work.row(i)[2]);
-    walls.add(p.work.row(i)[3]);
-    impulse.add(vec_of(p.impulse.row(i)));
-    angular_impulse.add(vec_of(p.angular_impulse.row(i)));
-    if (m[lane::inverse_mass] == 0) return;
-    const double mass = p.mass[i];
-    const sc_vec v = vec_of(m + lane::vx), rim = vec_of(p.spin.row(i));
-    kinetic.add(0.5 * mass * sc_dot(v, v));
-    rotational.add(0.2 * mass * sc_dot(rim, rim));
-    scale.add(mass * sc_norm(v));
-    free_mass.add(mass);
-    momentum.add(sc_scale(mass, v));
-    const sc_vec spin = sc_scale(0.4 * mass * m[lane::radius], rim);
-    angular.add(sc_add(spin, sc_scale(mass, sc_cross(vec_of(m), v))));
-    // Uniform gravity: its work is a matter of places alone, so the particles keep no account of it.
-    body.add(mass * sc_dot(fields.uniform, unwrapped(sample.system, i)));
+    for (int k = 0; k < 4; ++k) {
+      loss[k].add(p.loss.row(i)[k]);
+      work[k].add(p.work.row(i)[k]);
+    }
+    add(impulse, vector_at(p.impulse.row(i)));
+    add(angular_impulse, vector_at(p.angular_impulse.row(i)));
+    if (p.motion.row(i)[lane::inverse_mass] == 0) return;
+    const Holdings h = holdings_of(p, i);
+    kinetic.add(h.kinetic);
+    rotational.add(h.rotational);
+    scale.add(p.mass[i] * sc_norm(vector_at(p.motion.row(i) + lane::vx)));
+    free_mass.add(p.mass[i]);
+    add(momentum, h.momentum);
+    add(angular, h.angular_momentum);
+    work[1].add(gravity_work(p, sample.system.domain, fields.uniform, i));
   }
 };
 
 }  // namespace
 
-Measured measure(const Sample& sample, const Fields& fields, double time) {
-  Sums s;
-  for (std::size_t i = 0; i < sample.system.particles.size(); ++i) s.add(sample, fields, i);
+Measured measure(const Sample& sample, const Fields& fields, double time, const Passage& passage) {
+  Sums s(passage);
+  for (std::size_t i = 0; i < sample.system.particles.size(); ++i) s.add_particle(sample, fields, i);
   // Impulse of uniform gravity.
-  s.impulse.add(sc_scale(s.free_mass.value() * time, fields.uniform));
+  add(s.impulse, sc_scale(s.free_mass.value() * time, fields.uniform));
   Measured out;
   out.kinetic = s.kinetic.value();
   out.rotational = s.rotational.value();
   out.elastic = sample.stored.elastic;
   out.cohesive = sample.stored.cohesive;
-  out.body_work = s.body.value();
-  out.drag_work = s.drag.value();
-  out.prescribed_work = s.prescribed.value();
-  out.wall_work = s.walls.value();
-  out.dissipated_normal = s.lost_normal.value();
-  out.dissipated_sliding = s.lost_sliding.value();
-  out.dissipated_rolling = s.lost_rolling.value();
+  out.drag_work = s.work[0].value();
+  out.body_work = s.work[1].value();
+  out.prescribed_work = s.work[2].value();
+  out.wall_work = s.work[3].value();
+  out.dissipated_normal = s.loss[0].value();
+  out.dissipated_sliding = s.loss[1].value();
+  out.dissipated_rolling = s.loss[2].value();
+  out.inserted = passage.inserted.energy.value();
+  out.removed = passage.removed.energy.value();
   out.momentum = s.momentum.value();
   out.impulse = s.impulse.value();
+  out.inserted_momentum = passage.inserted.momentum.value();
+  out.removed_momentum = passage.removed.momentum.value();
   out.angular_momentum = s.angular.value();
   out.angular_impulse = s.angular_impulse.value();
+  out.inserted_angular_momentum = passage.inserted.angular_momentum.value();
+  out.removed_angular_momentum = passage.removed.angular_momentum.value();
   out.momentum_scale = s.scale.value();
   return out;
 }
@@ -94,7 +83,7 @@ Speeds measure_speeds(const Sample& sample) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p.motion.row(i)[lane::inverse_mass] == 0) continue;
-    const double speed = sc_norm(vec_of(p.motion.row(i) + lane::vx));
+    const double speed = sc_norm(vector_at(p.motion.row(i) + lane::vx));
     out.largest = std::max(out.largest, speed);
     sum.add(speed);
     ++count;

@@ -6,6 +6,7 @@
 #include "scree/analysis/agglomerates.h"
 #include "scree/analysis/ledger.h"
 #include "scree/particles/fields.h"
+#include "scree/particles/passage.h"
 #include "scree/particles/sample.h"
 
 namespace scree {
@@ -16,8 +17,8 @@ struct Speeds {
 };
 
 /// Energies, momenta and exchanges since the start; exact sums, so they do not depend on threads. `time` is the time
-/// since the start of the run [s].
-Measured measure(const Sample& sample, const Fields& fields, double time);
+/// since the start of the run [s]; `passage` holds what came and went until then.
+Measured measure(const Sample& sample, const Fields& fields, double time, const Passage& passage = {});
 
 Speeds measure_speeds(const Sample& sample);
 

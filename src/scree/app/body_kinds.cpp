@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scree/app/build_exchange.h"
 #include "scree/app/build_particles.h"
 #include "scree/base/expression.h"
 
@@ -22,6 +23,18 @@ void take_sizes(BodyKind& kind, const ParticleGroup& group, std::uint32_t index,
   const bool own = std::any_of(group.given.begin(), group.given.end(), [](const auto& g) { return g.diameter; });
   kind.smallest = own ? *smallest : min_diameter(group.sizes);
   kind.largest = own ? *largest : max_diameter(group.sizes);
+}
+
+/// As many as a feed is expected to let in; the mean size from the first of them.
+void take_expected(BodyKind& kind, const ParticleGroup& group, const Feed& feed, const Case& c) {
+  constexpr std::uint64_t drawn = 1000;
+  for (std::uint64_t i = 0; i < drawn; ++i)
+    kind.volume += sphere_volume(draw_diameter(group.sizes, c.simulation.seed, feed.group, i)) / drawn;
+  const double count = expected_count(feed, group.density * kind.volume, c.simulation.end);
+  kind.count = static_cast<std::uint64_t>(std::ceil(count));
+  kind.volume *= static_cast<double>(kind.count);
+  kind.smallest = min_diameter(group.sizes);
+  kind.largest = max_diameter(group.sizes);
 }
 
 void take_velocities(BodyKind& kind, const ParticleGroup& group) {
@@ -64,8 +77,14 @@ double BodyKind::typical() const {
   return count == 0 ? 0.0 : std::cbrt(volume / static_cast<double>(count) * 6 / pi);
 }
 
-std::vector<BodyKind> body_kinds(const Case& c) {
-  const std::vector<ParticleGroup> groups = build_groups(c);
+std::vector<BodyKind> body_kinds(const Case& c, const Particles* present) {
+  std::vector<ParticleGroup> groups = build_groups(c, present ? Takeover::skip : Takeover::read);
+  for (std::size_t i = 0; present && i < present->size(); ++i) {
+    const auto g = static_cast<std::size_t>(present->group[i]);
+    if (c.particles[g].insert == "checkpoint")
+      groups[g].given.push_back({{}, {}, {}, 2 * present->motion.row(i)[lane::radius]});
+  }
+  const std::vector<Feed> feeds = build_feeds(c);
   std::vector<BodyKind> kinds;
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
     BodyKind kind;
@@ -74,7 +93,11 @@ std::vector<BodyKind> body_kinds(const Case& c) {
     kind.free = groups[g].free;
     kind.density = groups[g].density;
     kind.effect_gap = groups[g].effect_gap;
-    take_sizes(kind, groups[g], g, c.simulation.seed);
+    const auto feed = std::find_if(feeds.begin(), feeds.end(), [&](const Feed& f) { return f.group == g; });
+    if (feed == feeds.end())
+      take_sizes(kind, groups[g], g, c.simulation.seed);
+    else
+      take_expected(kind, groups[g], *feed, c);
     take_velocities(kind, groups[g]);
     if (c.particles[g].motion == "prescribed")
       kind.spread = std::max(kind.spread, prescribed_speed(c.particles[g], groups[g], c.simulation.end));

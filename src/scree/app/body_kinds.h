@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scree/data/materials.h"
+#include "scree/data/particles.h"
 #include "scree/input/case.h"
 
 namespace scree {
@@ -27,7 +28,8 @@ struct BodyKind {
   double typical() const;
 };
 
-/// The kinds of the case in the order of its groups. Draws all diameters and reads files of particles.
-std::vector<BodyKind> body_kinds(const Case& c);
+/// The kinds of the case in the order of its groups. Draws all diameters and reads files of particles. Of groups that
+/// come from another run's checkpoint it looks at `present`, where a run goes on, in place of that file.
+std::vector<BodyKind> body_kinds(const Case& c, const Particles* present = nullptr);
 
 }  // namespace scree

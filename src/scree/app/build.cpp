@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "scree/app/build_exchange.h"
 #include "scree/app/build_materials.h"
 #include "scree/app/build_particles.h"
 #include "scree/app/build_walls.h"
@@ -59,7 +60,12 @@ void expect_one_image(const ParticleSystem& s, double skin) {
 
 }  // namespace
 
-Domain build_domain(const Case& c) { return {c.domain.min, c.domain.max, c.domain.periodic}; }
+Domain build_domain(const Case& c) {
+  Domain domain{c.domain.min, c.domain.max, c.domain.periodic};
+  for (const Outlet& outlet : build_outlets(c))
+    if (outlet.is_face) domain.open[outlet.axis][outlet.upper] = true;
+  return domain;
+}
 
 Fields build_fields(const Case& c) {
   Fields f;
@@ -68,14 +74,14 @@ Fields build_fields(const Case& c) {
   return f;
 }
 
-ParticleSystem build_system(const Case& c, Fields& fields) {
+ParticleSystem build_system(const Case& c, Fields& fields, Takeover takeover) {
   ParticleSystem s;
   s.domain = build_domain(c);
   s.laws = c.contact.laws;
   s.materials = build_materials(c);
   s.walls = build_walls(c);
-  s.particles =
-      build_particles(c, s.domain, s.walls, [&](const Vec3& x) { return flow_velocity(fields, x.data(), 0.0); });
+  s.particles = build_particles(
+      c, s.domain, s.walls, [&](const Vec3& x) { return flow_velocity(fields, x.data(), 0.0); }, takeover);
   expect_one_image(s, c.simulation.skin);
   s.contacts.remembers_rolling = s.laws.rolling != SC_ROLLING_NONE || s.laws.twisting != SC_TWISTING_NONE;
   return s;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scree/app/build_particles.h"
 #include "scree/input/case.h"
 #include "scree/particles/fields.h"
 #include "scree/particles/system.h"
@@ -14,6 +15,6 @@ Domain build_domain(const Case& c);
 Fields build_fields(const Case& c);
 
 /// Domain, laws, materials, walls and particles. Throws InputError where the case cannot be built.
-ParticleSystem build_system(const Case& c, Fields& fields);
+ParticleSystem build_system(const Case& c, Fields& fields, Takeover takeover = Takeover::read);
 
 }  // namespace scree

@@ -1,6 +1,7 @@
 #include "scree/app/build_particles.h"
 
 #include "scree/app/build_materials.h"
+#include "scree/app/take_over.h"
 #include "scree/particles/insert_table.h"
 
 namespace scree {
@@ -28,8 +29,10 @@ void place(ParticleGroup& group, const ParticleKeys& keys, const DomainKeys& dom
   using Placement = ParticleGroup::Placement;
   group.placement = keys.insert == "lattice"  ? Placement::lattice
                     : keys.insert == "random" ? Placement::random
+                    : keys.insert == "rate"   ? Placement::feed
                                               : Placement::given;
-  const bool whole_domain = keys.region_min == keys.region_max;
+  // The region of a feed may be a point.
+  const bool whole_domain = keys.region_min == keys.region_max && keys.insert != "rate";
   group.region_min = whole_domain ? domain.min : keys.region_min;
   group.region_max = whole_domain ? domain.max : keys.region_max;
   group.count = keys.count;
@@ -71,20 +74,26 @@ ParticleGroup group_of(const Case& c, const ParticleKeys& keys) {
 
 }  // namespace
 
-std::vector<ParticleGroup> build_groups(const Case& c) {
+std::vector<ParticleGroup> build_groups(const Case& c, Takeover takeover) {
   std::vector<ParticleGroup> groups;
-  for (const ParticleKeys& keys : c.particles) groups.push_back(group_of(c, keys));
+  for (const ParticleKeys& keys : c.particles) {
+    groups.push_back(group_of(c, keys));
+    if (keys.insert != "checkpoint" || takeover == Takeover::skip) continue;
+    groups.back().given = take_over(c, keys);
+    if (keys.motion == "fixed") rest(groups.back());
+  }
   return groups;
 }
 
-Particles build_particles(const Case& c, const Domain& domain, const Walls& walls, const FluidVelocity& fluid) {
+Particles build_particles(const Case& c, const Domain& domain, const Walls& walls, const FluidVelocity& fluid,
+                          Takeover takeover) {
   InsertionSetting setting;
   setting.domain = domain;
   setting.walls = &walls;
   setting.seed = c.simulation.seed;
   setting.max_overlap = c.simulation.max_overlap;
   setting.fluid = fluid;
-  return insert_particles(build_groups(c), setting);
+  return insert_particles(build_groups(c, takeover), setting);
 }
 
 }  // namespace scree

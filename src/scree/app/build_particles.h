@@ -10,11 +10,15 @@
 
 namespace scree {
 
+/// Whether groups that come from another run's checkpoint are read, or left empty: a run that goes on has them already.
+enum class Takeover { read, skip };
+
 /// The groups of the case in its order; files of positions are read. A region that is left out is the domain.
-std::vector<ParticleGroup> build_groups(const Case& c);
+std::vector<ParticleGroup> build_groups(const Case& c, Takeover takeover = Takeover::read);
 
 /// The particles of the case at time 0. `fluid` is asked for the velocities of groups that start with it.
 /// Throws InputError as insert_particles() does.
-Particles build_particles(const Case& c, const Domain& domain, const Walls& walls, const FluidVelocity& fluid);
+Particles build_particles(const Case& c, const Domain& domain, const Walls& walls, const FluidVelocity& fluid,
+                          Takeover takeover = Takeover::read);
 
 }  // namespace scree

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "scree/app/simulation.h"
+#include "scree/app/take_over.h"
 #include "scree/base/error.h"
 #include "scree/base/hash.h"
 
@@ -144,19 +145,6 @@ WallContacts walls_of(std::span<const std::int64_t> ids, std::span<const double>
   return out;
 }
 
-/// The particles of a checkpoint.
-Particles particles_of(const Archive& archive) {
-  Particles out;
-  out.resize(static_cast<std::size_t>(archive.integer("particles")));
-  out.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
-    if (!saved) return;
-    using Value = typename std::remove_reference_t<decltype(column)>::value_type;
-    const auto values = archive.get<Value>(std::string(name), column.components);
-    if (values.size() != column.values.size())
-      throw InputError(archive.origin + ": wrong number of " + std::string(name));
-    std::copy(values.begin(), values.end(), column.values.begin());
-  });
-  return out;
 }
 
 }  // namespace
@@ -199,6 +187,7 @@ Archive Simulation::save() const {
   out.set("impact_speed", tally_.impact_speed);
   Particles p = system_.particles;
   out.set("particles", static_cast<std::int64_t>(p.size()));
+  out.set("groups", group_names(case_));
   p.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
     if (saved) out.put(std::string(name), std::move(column.values), column.components);
   });
@@ -208,6 +197,7 @@ Archive Simulation::save() const {
   KeyedWalls walls = keyed_walls(system_);
   out.put("wall_ids", std::move(walls.ids), 2);
   out.put("wall_memory", std::move(walls.memory), 9);
+  exchange_.save(out);
   return out;
 }
 
@@ -218,9 +208,8 @@ void Simulation::restore(const Archive& archive) {
         fmt::format("{} was written with time step {} s, the case has {} s: a run continues with its own time "
                     "step",
                     archive.origin, archive.number("time_step"), clock_.dt));
-  if (n != static_cast<std::int64_t>(system_.particles.size()))
-    throw InputError(fmt::format("{} holds {} particles, the case {}", archive.origin, n, system_.particles.size()));
   Particles saved = particles_of(archive);
+  exchange_.restore(archive);
   clock_.step = archive.integer("step");
   tally_ = {archive.integer("contact_evaluations"), archive.integer("impacts"), archive.integer("impact_speed")};
   system_.particles = std::move(saved);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "scree/app/build_exchange.h"
 #include "scree/base/version.h"
 
 namespace scree {
@@ -52,12 +53,18 @@ std::vector<std::string> series_columns(const Case& c) {
                                     "angular_momentum_y",
                                     "angular_momentum_z",
                                     "angular_momentum_error",
+                                    "particles",
                                     "contacts",
                                     "max_overlap",
                                     "max_speed",
                                     "mean_speed",
                                     "collision_speed",
                                     "stickiness"};
+  if (!build_feeds(c).empty() || !c.outlets.empty())
+    names.insert(names.end(), {"inserted_count", "inserted_mass", "inserted_energy", "removed_count", "removed_mass",
+                               "removed_energy"});
+  for (const OutletKeys& outlet : c.outlets)
+    names.insert(names.end(), {"outlet_" + outlet.name + "_count", "outlet_" + outlet.name + "_mass"});
   if (c.analysis.agglomerates)
     names.insert(names.end(), {"agglomerates", "agglomerated_fraction", "largest_agglomerate", "mean_agglomerate_size",
                                "mean_radius_of_gyration", "spanning_agglomerates", "fractal_dimension",
@@ -66,6 +73,14 @@ std::vector<std::string> series_columns(const Case& c) {
     for (const char* quantity : {"force", "torque"})
       for (const char axis : {'x', 'y', 'z'}) names.push_back(wall.name + "_" + quantity + "_" + axis);
   return names;
+}
+
+PassedRow passed_of(const Exchange& exchange) {
+  const Passage& p = exchange.passage();
+  PassedRow row{p.inserted.count, p.removed.count, p.inserted.mass.value(), p.removed.mass.value(), {}};
+  for (const OutletCount& outlet : exchange.outlet_counts())
+    row.outlets.emplace_back(outlet.count, outlet.mass.value());
+  return row;
 }
 
 std::vector<double> values_of(const SeriesRow& r) {
@@ -93,12 +108,18 @@ std::vector<double> values_of(const SeriesRow& r) {
                            m.angular_momentum[1],
                            m.angular_momentum[2],
                            r.balance.angular_momentum_error,
+                           whole(r.particles),
                            whole(r.contacts),
                            r.max_overlap,
                            r.speeds.largest,
                            r.speeds.mean,
                            r.collision_speed,
                            r.stickiness};
+  if (const auto& p = r.passed) {
+    v.insert(v.end(), {whole(p->inserted_count), p->inserted_mass, m.inserted, whole(p->removed_count), p->removed_mass,
+                       m.removed});
+    for (const auto& [count, mass] : p->outlets) v.insert(v.end(), {whole(count), mass});
+  }
   if (const auto& a = r.agglomerates)
     v.insert(v.end(), {whole(a->agglomerates), a->agglomerated_fraction, whole(a->largest_agglomerate),
                        a->mean_agglomerate_size, a->mean_radius_of_gyration, whole(a->spanning_agglomerates),

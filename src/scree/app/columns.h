@@ -10,6 +10,7 @@
 #include "scree/analysis/agglomerate_summary.h"
 #include "scree/analysis/ledger.h"
 #include "scree/analysis/measure.h"
+#include "scree/app/exchange.h"
 #include "scree/input/case.h"
 #include "scree/output/series.h"
 #include "scree/particles/sample.h"
@@ -19,17 +20,27 @@ namespace scree {
 /// "scree" and its version.
 std::string program_name();
 
+/// What came and went since the start.
+struct PassedRow {
+  std::int64_t inserted_count = 0, removed_count = 0;
+  double inserted_mass = 0, removed_mass = 0;            // [kg]
+  std::vector<std::pair<std::int64_t, double>> outlets;  // count and mass of each [kg]
+};
+
+PassedRow passed_of(const Exchange& exchange);
+
 /// One row of the series.
 struct SeriesRow {
   double time = 0;  // [s]
   std::int64_t step = 0;
   Measured measured;
   LedgerRow balance;
-  std::int64_t contacts = 0;
+  std::int64_t particles = 0, contacts = 0;
   double max_overlap = 0;
   Speeds speeds;
   double collision_speed = 0;  // mean approach speed of the contacts begun since the last row; NaN if none [m/s]
   double stickiness = 0;       // at that speed; NaN without cohesion
+  std::optional<PassedRow> passed;
   std::optional<AgglomerateSummary> agglomerates;
   std::vector<WallLoad> wall_loads;
 };

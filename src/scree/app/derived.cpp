@@ -166,8 +166,8 @@ Derived derive(const Case& c) {
   return out;
 }
 
-double time_step_of(const Case& c, const Materials& materials) {
-  const DerivedStep step = derive_step(c, materials, body_kinds(c));
+double time_step_of(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds) {
+  const DerivedStep step = derive_step(c, materials, kinds);
   if (std::isnan(step.time_step))
     throw InputError(
         "simulation.time_step: \"auto\" has no contact to go by, as no two bodies of this case can meet\n"
@@ -180,9 +180,10 @@ double time_step_of(const Case& c, const Materials& materials) {
   return step.time_step;
 }
 
-std::optional<CohesiveImpact> typical_impact(const Case& c, const Materials& materials) {
+std::optional<CohesiveImpact> typical_impact(const Case& c, const Materials& materials,
+                                             const std::vector<BodyKind>& kinds) {
   if (c.contact.laws.cohesion != SC_COHESION_LINEAR) return {};
-  const Encounter e = typical_encounter(c, materials, body_kinds(c));
+  const Encounter e = typical_encounter(c, materials, kinds);
   if (e.what.empty()) return {};
   return cohesive_impact(e, c.contact.laws);
 }

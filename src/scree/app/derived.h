@@ -89,11 +89,12 @@ Derived derive(const Case& c);
 /// over every pair of materials and sizes that the case can create, walls included. Hertz counts with the top speed; if
 /// nothing is known to move, the step is a fifth of the Rayleigh time.
 /// Throws InputError when a contact would take fewer than ten steps, or when "auto" has no contact to go by.
-double time_step_of(const Case& c, const Materials& materials);
+double time_step_of(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds);
 
 /// The impact that the stickiness number of the case is about: two particles of mean volume of the most numerous kind
-/// (see typical_encounter). Empty without linear cohesion. Draws all diameters of the case: keep the result.
-std::optional<CohesiveImpact> typical_impact(const Case& c, const Materials& materials);
+/// (see typical_encounter). Empty without linear cohesion.
+std::optional<CohesiveImpact> typical_impact(const Case& c, const Materials& materials,
+                                             const std::vector<BodyKind>& kinds);
 
 /// Where the results of a run would go, and the room that there is [bytes].
 struct OutputPlace {

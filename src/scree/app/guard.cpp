@@ -32,11 +32,10 @@ std::string place_of(const Particles& p, std::size_t i) {
   for (std::size_t i = 0; i < p.size(); ++i)
     for (int k = 0; k < 3; ++k) {
       const double x = p.motion.row(i)[k];
-      if (!s.domain.periodic[k] && (x < s.domain.min[k] || x >= s.domain.max[k]))
+      if (!s.domain.periodic[k] && (x < s.domain.low(k) || x >= s.domain.high(k)))
         throw PhysicsError(
-            fmt::format("t = {:.9g} s: {} has left the domain through its {} {} face. Close it with a wall, make the "
-                        "axis periodic, or "
-                        "enlarge [domain]",
+            fmt::format("t = {:.9g} s: {} has left the domain through its {} {} face. Close it with a wall, make it "
+                        "an outlet ([[outlets]]), make the axis periodic, or enlarge [domain]",
                         time, place_of(p, i), x < s.domain.min[k] ? "lower" : "upper", "xyz"[k]));
     }
   throw PhysicsError(fmt::format("t = {:.9g} s: a particle has left the domain", time));

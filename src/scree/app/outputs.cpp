@@ -6,7 +6,6 @@
 
 #include "scree/analysis/measure.h"
 #include "scree/app/columns.h"
-#include "scree/app/derived.h"
 #include "scree/app/frame_fields.h"
 #include "scree/input/record.h"
 
@@ -84,7 +83,8 @@ void Outputs::write_due(Simulation& simulation) {
 }
 
 void Outputs::take_stock(Simulation& simulation) {
-  measured_ = measure(simulation.sample(), simulation.fields(), simulation.clock().now());
+  measured_ =
+      measure(simulation.sample(), simulation.fields(), simulation.clock().now(), simulation.exchange().passage());
   leave_out(measured_, case_.ledger.omit);
   if (!books_) books_ = open_books(measured_);
   row_ = scree::balance(*books_, measured_, simulation.system().domain.any_periodic());
@@ -120,17 +120,16 @@ void Outputs::append_row(Simulation& simulation) {
   row.time = clock.now();
   row.step = clock.step;
   row.measured = measured();
+  row.particles = static_cast<std::int64_t>(sample.system.particles.size());
+  if (simulation.exchange().active()) row.passed = passed_of(simulation.exchange());
   row.balance = row_;
   row.wall_loads = sample.wall_loads;
   row.contacts = sample.findings.contacts;
   row.max_overlap = std::max(0.0, sample.findings.deepest);
   row.speeds = measure_speeds(sample);
   row.collision_speed = mean_impact_speed(tally.impacts - impacts_, tally.impact_speed - impact_speed_);
-  if (!typical_impact_made_) {
-    typical_impact_ = typical_impact(case_, simulation.system().materials);
-    typical_impact_made_ = true;
-  }
-  row.stickiness = typical_impact_ ? stickiness_number(*typical_impact_, row.collision_speed) : nan;
+  const auto& impact = simulation.typical_impact();
+  row.stickiness = impact ? stickiness_number(*impact, row.collision_speed) : nan;
   impacts_ = tally.impacts;
   impact_speed_ = tally.impact_speed;
   if (case_.analysis.agglomerates) {

@@ -73,9 +73,7 @@ class Outputs {
   std::optional<Books> books_;
   Measured measured_;
   LedgerRow row_;
-  std::int64_t impacts_ = 0, impact_speed_ = 0;   // of the tally at the last row
-  std::optional<CohesiveImpact> typical_impact_;  // for the stickiness number; made with the first row
-  bool typical_impact_made_ = false;
+  std::int64_t impacts_ = 0, impact_speed_ = 0;  // of the tally at the last row
   std::optional<Archive> last_good_;
   bool agglomerated_ = false;
 };

@@ -180,7 +180,7 @@ RunResult run_case(const Case& c, const RunOptions& options) {
   for (const std::string& warning : beginning.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   if (!options.quiet && !beginning.announcement.empty()) std::fprintf(stderr, "%s\n", beginning.announcement.c_str());
   if (beginning.nothing_to_do) return {};
-  Simulation simulation(c, threads);
+  Simulation simulation(c, threads, beginning.archive ? &*beginning.archive : nullptr);
   if (beginning.archive) simulation.restore(*beginning.archive);
   const RunDirectory directory(options.directory, beginning.existing, c.path);
   if (beginning.archive) directory.drop_checkpoints_after(static_cast<std::uint64_t>(simulation.clock().step));

@@ -6,21 +6,31 @@
 #include "scree/app/derived.h"
 #include "scree/app/guard.h"
 #include "scree/app/models.h"
+#include "scree/app/take_over.h"
 
 namespace scree {
-Simulation::Simulation(const Case& c, Team team) : case_(c), team_(team), fields_(build_fields(c)) {
-  system_ = build_system(case_, fields_);
+Simulation::Simulation(const Case& c, Team team, const Archive* resumed)
+    : case_(c),
+      team_(team),
+      fields_(build_fields(c)),
+      system_(build_system(case_, fields_, resumed ? Takeover::skip : Takeover::read)),
+      exchange_(c, static_cast<std::int64_t>(system_.particles.size())) {
   prescribed_ = build_prescribed(c, system_.particles);
   set_velocities(prescribed_, system_.particles, 0);
   motions_ = build_wall_motions(c, system_.walls, system_.domain);
   findings_.fastest2 = fastest_square(system_.particles);
   lists_ = prepare_lists(system_, c.simulation.skin);
-  clock_.dt = time_step_of(c, system_.materials);
+  std::optional<Particles> saved;
+  if (resumed) saved = particles_of(*resumed);
+  const std::vector<BodyKind> kinds = body_kinds(c, saved ? &*saved : nullptr);
+  clock_.dt = resumed && takes_over(c) ? resumed->number("time_step") : time_step_of(c, system_.materials, kinds);
+  typical_impact_ = scree::typical_impact(c, system_.materials, kinds);
 }
 
 // The table of contents of the program: what happens in a step, in order.
 void Simulation::step() {
   move_walls();
+  exchange_particles();
   refresh_neighbours();
   evaluate_fields();
   advance_particles();
@@ -33,6 +43,14 @@ void Simulation::step() {
 void Simulation::move_walls() {
   for (std::size_t w = 0; w < motions_.size(); ++w)
     system_.walls.poses[w] = pose_at(motions_[w], clock_.now(), contact_time_now().lead, clock_.dt);
+}
+
+void Simulation::exchange_particles() {
+  if (!exchange_.due(clock_.step)) return;
+  refresh_neighbours();
+  const Stopwatch watch(stages_, "exchange");
+  const Moment moment = moment_of(move_now(), contact_time_now(), clock_.now());
+  if (exchange_.run(system_, lists_, fields_, moment, team_)) findings_.fastest2 = fastest_square(system_.particles);
 }
 
 void Simulation::refresh_neighbours() {

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "scree/app/build.h"
+#include "scree/app/exchange.h"
 #include "scree/app/prescribed.h"
+#include "scree/app/sticking.h"
 #include "scree/app/wall_motion.h"
 #include "scree/base/stopwatch.h"
 #include "scree/input/case.h"
@@ -35,8 +37,9 @@ struct Tally {
 
 class Simulation {
  public:
-  /// Builds the initial state of a case. Throws InputError if the case cannot be run.
-  Simulation(const Case& c, Team team);
+  /// Builds the initial state of a case. A run that goes on gives the archive that will be restored: what the case
+  /// takes from another run's checkpoint is then not read again. Throws InputError if the case cannot be run.
+  Simulation(const Case& c, Team team, const Archive* resumed = nullptr);
 
   /// Advances by one time step. Throws PhysicsError when the physics has gone wrong.
   void step();
@@ -57,6 +60,9 @@ class Simulation {
   const Clock& clock() const { return clock_; }
   const ParticleSystem& system() const { return system_; }
   const Fields& fields() const { return fields_; }
+  const Exchange& exchange() const { return exchange_; }
+  /// The impact that the stickiness number is about; empty without linear cohesion.
+  const std::optional<CohesiveImpact>& typical_impact() const { return typical_impact_; }
   const Tally& tally() const { return tally_; }
   const SweepFindings& findings() const { return findings_; }
   const StageSeconds& stages() const { return stages_; }
@@ -66,6 +72,7 @@ class Simulation {
 
  private:
   void move_walls();
+  void exchange_particles();
   void move_prescribed_bodies();
   void refresh_neighbours();
   void evaluate_fields();
@@ -81,13 +88,15 @@ class Simulation {
   Case case_;
   Team team_;
   Ranks ranks_;
-  ParticleSystem system_;
   Fields fields_;
+  ParticleSystem system_;
   std::vector<PrescribedGroup> prescribed_;
   std::vector<WallMotion> motions_;
+  Exchange exchange_;
   ContactLists lists_;
   Buffer<sc_field> field_;
   Clock clock_;
+  std::optional<CohesiveImpact> typical_impact_;
   Tally tally_;
   SweepFindings findings_;
   StageSeconds stages_;

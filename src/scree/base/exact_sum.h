@@ -139,4 +139,21 @@ class ExactSum {
   std::int32_t pending_ = 0;  // values added since the last carry
 };
 
+/// The sum of vectors, component by component.
+struct ExactVectorSum {
+  ExactSum x, y, z;
+
+  void add(double dx, double dy, double dz) {
+    x.add(dx);
+    y.add(dy);
+    z.add(dz);
+  }
+  void add(const ExactVectorSum& other) {
+    x.add(other.x);
+    y.add(other.y);
+    z.add(other.z);
+  }
+  std::array<double, 3> value() const { return {x.value(), y.value(), z.value()}; }
+};
+
 }  // namespace scree

@@ -7,10 +7,11 @@
 namespace scree {
 
 /// An axis-aligned box. Along a periodic axis positions live in [min, max) and differences are taken to the nearest
-/// image; along the others a particle that leaves the box is lost.
+/// image; along the others a particle that leaves the box is lost, unless the face is open.
 struct Domain {
   std::array<double, 3> min{}, max{};
   std::array<bool, 3> periodic{};
+  std::array<std::array<bool, 2>, 3> open{};  // lower and upper face of each axis: particles may leave there
 
   double length(int axis) const { return max[axis] - min[axis]; }
 
@@ -28,6 +29,10 @@ struct Domain {
     if (difference < -half_period(axis)) difference += period(axis);
     return difference;
   }
+
+  /// Where a coordinate stops being in the box: infinitely far beyond open faces.
+  double low(int axis) const { return open[axis][0] ? -std::numeric_limits<double>::infinity() : min[axis]; }
+  double high(int axis) const { return open[axis][1] ? std::numeric_limits<double>::infinity() : max[axis]; }
 
   bool any_periodic() const { return periodic[0] || periodic[1] || periodic[2]; }
 };

@@ -31,7 +31,18 @@ void Particles::permute(const std::vector<std::uint32_t>& order) {
       for (std::size_t i = 0; i < order.size(); ++i)
         std::copy_n(moved + i * C::components, C::components, rows + i * C::components);
     }
+    column.values.resize(order.size() * C::components);
   });
+  size_ = order.size();
+}
+
+void Particles::append(const Particles& others) {
+  const std::size_t old = size_;
+  resize(old + others.size());
+#define FIELD(name, type, components, travels, saved, doc) \
+  std::copy_n(others.name.values.data(), others.size() * components, name.row(old));
+  SCREE_PARTICLE_FIELDS(FIELD)
+#undef FIELD
 }
 
 std::size_t Particles::bytes_per_particle() {

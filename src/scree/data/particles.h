@@ -62,8 +62,11 @@ class Particles {
   /// New particles have all fields zero.
   void resize(std::size_t n);
 
-  /// Puts particle order[i] at place i, in every field.
+  /// Puts particle order[i] at place i, in every field; particles that `order` does not name are gone.
   void permute(const std::vector<std::uint32_t>& order);
+
+  /// Adds copies of all the others after those that are there.
+  void append(const Particles& others);
 
   /// Calls visit(name, column, travels, saved, doc) for every field, in the order of the table.
   template <class Visit>

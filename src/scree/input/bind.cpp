@@ -57,7 +57,7 @@ struct Binder {
     origins.failed.insert(join(path, key.name));
     std::string why;
     for (const Condition& c : key.conditions)
-      why += fmt::format("{} {}", why.empty() ? ", needed with" : " and", in_words(c));
+      if (!c.none) why += fmt::format("{} {}", why.empty() ? ", needed with" : " and", in_words(c));
     problems.push_back(
         {"E103", origins.headings.at(path), fmt::format("missing key '{}' in {}{}", key.name, section.heading, why),
          fmt::format("'{}' is missing", key.name),

@@ -23,8 +23,9 @@ struct SimulationKeys {
   std::optional<double> top_speed;      // the fastest impact that "auto" and the check count with [m/s]
   std::string integrator = "leapfrog";  // leapfrog, explicit, implicit
   std::uint64_t seed = 1;
-  double max_overlap = 0.2;  // of the smaller radius; beyond it the run stops
-  double skin = 0;           // of the Verlet list [m]; 0: chosen by the program
+  double max_overlap = 0.2;           // of the smaller radius; beyond it the run stops
+  double skin = 0;                    // of the Verlet list [m]; 0: chosen by the program
+  std::uint64_t exchange_every = 50;  // steps between two looks for particles that come or go
 };
 
 struct DomainKeys {
@@ -109,17 +110,34 @@ struct ParticleKeys {
   double effect_gap = 0;            // d_e - d_b: how much the effect diameter exceeds the body diameter [m]
   std::string motion = "free";      // free, fixed, prescribed: the last two have infinite mass
   Expression3 motion_velocity;      // prescribed: formulas of t (and of the initial x, y, z) [m/s]
-  std::string insert = "lattice";   // lattice, random, file, positions
-  Vec3 region_min{}, region_max{};  // lattice, random [m]; default: the domain
+  std::string insert = "lattice";   // lattice, random, file, positions, rate, checkpoint
+  Vec3 region_min{}, region_max{};  // lattice, random, rate [m]; default: the domain
   std::uint64_t count = 0;          // lattice, random: how many
   double solid_fraction = 0;        // random: instead of count
   double spacing = 0;               // lattice: distance of neighbours [m]; 0: fill the region evenly with `count`
   double jitter = 0;                // lattice: largest shift, as a fraction of the free gap
   std::string file;                 // CSV: columns x, y, z [, vx, vy, vz, wx, wy, wz, diameter]; path made absolute
+  std::string checkpoint;           // of another run, or its directory; path made absolute
+  std::string source_group;         // checkpoint: the group that is taken over; empty: all that are free
   std::vector<Vec3> positions;      // positions: given one by one
   VelocityKeys velocity;
-  Vec3 angular_velocity{};        // [rad/s]
-  std::uint64_t attempts = 1000;  // random: tries per particle before giving up
+  Vec3 angular_velocity{};          // [rad/s]
+  std::uint64_t attempts = 1000;    // random: tries per particle before giving up; rate: before waiting
+  double mass_rate = 0;             // rate [kg/s]; 0: by number
+  double number_rate = 0;           // rate [1/s]; 0: by mass
+  double from = 0;                  // rate: when it begins [s]
+  std::optional<double> until;      // rate: when it ends [s]; empty: never
+  double total_mass = 0;            // rate: after which it ends [kg]; 0: never
+  std::uint64_t total_count = 0;    // rate: likewise
+  std::optional<double> max_delay;  // rate: how late it may be [s]; empty: a tenth of the time that it lasts
+};
+
+/// Where particles leave: an open face of the domain, or a region that takes what comes into it.
+struct OutletKeys {
+  std::string name;
+  std::string type = "face";  // face, region
+  std::string face;           // x_min ... z_max
+  Vec3 min{}, max{};          // region: corners [m]
 };
 
 /// How a wall moves.
@@ -229,6 +247,7 @@ struct Case {
   std::vector<PairKeys> pairs;
   std::vector<ParticleKeys> particles;
   std::vector<WallKeys> walls;
+  std::vector<OutletKeys> outlets;
   OutputKeys output;
   LedgerKeys ledger;
   AnalysisKeys analysis;

@@ -52,12 +52,12 @@ void check_periods(const Check& check) {
 void check_region(const Check& check, std::size_t index) {
   const ParticleKeys& p = check.c.particles[index];
   const std::string path = item_path("particles", index);
-  const bool filled = p.insert == "lattice" || p.insert == "random";
+  const bool feed = p.insert == "rate", filled = p.insert == "lattice" || p.insert == "random" || feed;
   const bool given = check.origins.given(path + ".region_min") || check.origins.given(path + ".region_max");
   if (!filled || !given || !check.sound({path + ".region_min", path + ".region_max", path + ".insert", "domain"}))
     return;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (p.region_max[i] > p.region_min[i]) continue;
+    if (p.region_max[i] > p.region_min[i] || (feed && p.region_max[i] == p.region_min[i])) continue;
     check.fail("E165", path + ".region_max", fmt::format("the region of '{}' is empty along {}", p.name, axis_names[i]),
                fmt::format("region_min is {}", in_words(p.region_min)), "'region_max' is the upper corner");
     return;

@@ -194,6 +194,7 @@ void check_materials(const Check& check) {
   unique_names(check, "materials", names_of(c.materials));
   unique_names(check, "particles", names_of(c.particles));
   unique_names(check, "walls", names_of(c.walls));
+  unique_names(check, "outlets", names_of(c.outlets));
   references(check);
   laws_agree(check);
   if (check.sound({"contact"})) needed_by_laws(check);

@@ -91,7 +91,7 @@ std::string current_word(const Key& key, void* keys) {
 bool applies(const Section& section, const Key& key, void* keys) {
   return std::all_of(key.conditions.begin(), key.conditions.end(), [&](const Condition& c) {
     const std::string word = current_word(*find(section, c.key), keys);
-    return std::find(c.values.begin(), c.values.end(), word) != c.values.end();
+    return (std::find(c.values.begin(), c.values.end(), word) != c.values.end()) != c.none;
   });
 }
 
@@ -108,7 +108,7 @@ void set_default(const Section& section, const Key& key, void* keys) {
 
 std::string in_words(const Condition& condition) {
   if (condition.values == std::vector<std::string>{"true"}) return condition.key + " = true";
-  return fmt::format("{} = {}", condition.key, quoted_list(condition.values));
+  return fmt::format("{} {} {}", condition.key, condition.none ? "other than" : "=", quoted_list(condition.values));
 }
 
 std::string expected(const Key& key) { return std::visit(Expected{key}, key.slot); }

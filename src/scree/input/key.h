@@ -49,10 +49,11 @@ struct Limits {
   bool contains(double x) const { return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high); }
 };
 
-/// A key applies only while another key of its table has one of some values.
+/// A key applies only while another key of its table has one of some values, or has none of them.
 struct Condition {
   std::string key;
   std::vector<std::string> values;
+  bool none = false;
 };
 
 /// What a text is, beyond a text.
@@ -84,6 +85,9 @@ struct Key {
   Key& defaults_to(std::string words) { return default_text = std::move(words), *this; }
   Key& only_with(std::string key, std::vector<std::string> values) {
     return conditions.push_back({std::move(key), std::move(values)}), *this;
+  }
+  Key& not_with(std::string key, std::vector<std::string> values) {
+    return conditions.push_back({std::move(key), std::move(values), true}), *this;
   }
   Key& may_change_at_restart() { return may_change = true, *this; }
 };

@@ -17,6 +17,7 @@ const Section& materials_section();
 const Section& pairs_section();
 const Section& particles_section();
 const Section& walls_section();
+const Section& outlets_section();
 const Section& output_section();
 const Section& ledger_section();
 const Section& analysis_section();

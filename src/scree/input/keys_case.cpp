@@ -19,6 +19,8 @@ const Section& case_section() {
            "particles", [](Case & c) -> auto& { return c.particles; }, particles_section()),
        tables<Case, WallKeys>(
            "walls", [](Case & c) -> auto& { return c.walls; }, walls_section()),
+       tables<Case, OutletKeys>(
+           "outlets", [](Case & c) -> auto& { return c.outlets; }, outlets_section()),
        table("output", &Case::output, output_section()), table("ledger", &Case::ledger, ledger_section()),
        table("analysis", &Case::analysis, analysis_section()), table("verify", &Case::verify, verify_section()),
        tables<Case, ExpectKeys>(
@@ -59,7 +61,10 @@ const Section& simulation_section() {
            "radius")
            .above(0)
            .at_most(1),
-       key("skin", &S::skin, "margin of the list of neighbours; 0: chosen by the program").unit("m").at_least(0)},
+       key("skin", &S::skin, "margin of the list of neighbours; 0: chosen by the program").unit("m").at_least(0),
+       key("exchange_every", &S::exchange_every,
+           "steps between two looks for particles that are due to come (insert = 'rate') or have gone into an outlet")
+           .between(1, 1e9)},
       [] { return std::make_shared<S>(); }};
   return section;
 }
@@ -69,7 +74,7 @@ const Section& domain_section() {
   static const Section section = {"domain",
                                   "[domain]",
                                   "The box that holds the particles. One that leaves it along an axis that is not "
-                                  "periodic is lost, and the run stops.",
+                                  "periodic is lost, and the run stops, unless the face is an outlet.",
                                   {key("min", &S::min, "lower corner").unit("m").required(),
                                    key("max", &S::max, "upper corner").unit("m").required(),
                                    key("periodic", &S::periodic, "whether the box repeats itself along x, y, z")},
@@ -118,8 +123,8 @@ const Section& ledger_section() {
            .at_least(0)
            .may_change_at_restart(),
        key("omit", &S::omit, "channels left out of the books on purpose, to see that the check bites")
-           .one_of(
-               {"normal", "sliding", "rolling", "drag", "body", "prescribed", "momentum_impulse", "angular_impulse"})},
+           .one_of({"normal", "sliding", "rolling", "drag", "body", "prescribed", "walls", "inserted", "removed",
+                    "momentum_impulse", "angular_impulse"})},
       [] { return std::make_shared<S>(); }};
   return section;
 }

@@ -72,14 +72,15 @@ const Section& velocity_section() {
 
 const Section& particles_section() {
   using S = ParticleKeys;
-  static const std::vector<std::string> filled = {"lattice", "random"};
+  static const std::vector<std::string> filled = {"lattice", "random"}, boxed = {"lattice", "random", "rate"},
+                                        feed = {"rate"};
   static const Section section = {
       "particles",
       "[[particles]]",
-      "A group of particles. Ids are counted through the groups in the order of the file.",
+      "A group of particles. Ids are counted through the groups in the order of the file, then as particles come in.",
       {key("name", &S::name, "name in messages and results").is_a(TextKind::name).defaults_to("group0, group1, ..."),
        key("material", &S::material, "name of a material").required(),
-       table("diameter", &S::diameter, diameter_section(), "value").required(),
+       table("diameter", &S::diameter, diameter_section(), "value").required().not_with("insert", {"checkpoint"}),
        key("effect_gap", &S::effect_gap,
            "by how much the effect diameter, up to which linear cohesion acts, exceeds the body diameter")
            .unit("m")
@@ -92,16 +93,20 @@ const Section& particles_section() {
            .required()
            .only_with("motion", {"prescribed"}),
        key("insert", &S::insert,
-           "lattice: cubic; random: without overlap; file: columns of a CSV file; positions: listed")
-           .one_of({"lattice", "random", "file", "positions"}),
-       key("region_min", &S::region_min, "lower corner of the box to fill")
+           "lattice: cubic; random: without overlap; file: columns of a CSV file; positions: listed; rate: one after "
+           "the "
+           "other while the run goes on, at random places of the region without overlap; checkpoint: taken over from "
+           "another "
+           "run")
+           .one_of({"lattice", "random", "file", "positions", "rate", "checkpoint"}),
+       key("region_min", &S::region_min, "lower corner of the box to fill; with insert = 'rate' it may be flat: a face")
            .unit("m")
            .defaults_to("that of the domain")
-           .only_with("insert", filled),
+           .only_with("insert", boxed),
        key("region_max", &S::region_max, "upper corner of the box to fill")
            .unit("m")
            .defaults_to("that of the domain")
-           .only_with("insert", filled),
+           .only_with("insert", boxed),
        key("count", &S::count, "number of particles; 0: from spacing or solid_fraction")
            .at_most(1e10)
            .only_with("insert", filled),
@@ -121,12 +126,50 @@ const Section& particles_section() {
            .is_a(TextKind::file)
            .required()
            .only_with("insert", {"file"}),
+       key("checkpoint", &S::checkpoint,
+           "checkpoint of another run, or its directory for the last one: places, velocities, spins and diameters of "
+           "its "
+           "particles; relative to the case file")
+           .is_a(TextKind::file)
+           .required()
+           .only_with("insert", {"checkpoint"}),
+       key("source_group", &S::source_group, "name of the only particle group of the other run that is taken over")
+           .is_a(TextKind::name)
+           .defaults_to("all particles that move freely")
+           .only_with("insert", {"checkpoint"}),
        key("positions", &S::positions, "positions one by one").unit("m").required().only_with("insert", {"positions"}),
-       table("velocity", &S::velocity, velocity_section(), "value"),
-       key("angular_velocity", &S::angular_velocity, "initial angular velocity").unit("rad/s"),
-       key("attempts", &S::attempts, "tries for each particle before random insertion gives up")
+       table("velocity", &S::velocity, velocity_section(), "value").not_with("insert", {"checkpoint"}),
+       key("angular_velocity", &S::angular_velocity, "initial angular velocity")
+           .unit("rad/s")
+           .not_with("insert", {"checkpoint"}),
+       key("attempts", &S::attempts, "tries for each particle before random insertion gives up, or waits with 'rate'")
            .between(1, 1e9)
-           .only_with("insert", {"random"})},
+           .only_with("insert", {"random", "rate"}),
+       key("mass_rate", &S::mass_rate, "mass that comes in per time; 0: number_rate is given")
+           .unit("kg/s")
+           .at_least(0)
+           .only_with("insert", feed),
+       key("number_rate", &S::number_rate, "particles that come in per time; 0: mass_rate is given")
+           .unit("1/s")
+           .at_least(0)
+           .only_with("insert", feed),
+       key("from", &S::from, "when particles begin to come in").unit("s").at_least(0).only_with("insert", feed),
+       key("until", &S::until, "when no more become due; those that wait for room still come")
+           .unit("s")
+           .above(0)
+           .or_word("end")
+           .only_with("insert", feed),
+       key("total_mass", &S::total_mass, "mass after which no more come in; 0: no limit")
+           .unit("kg")
+           .at_least(0)
+           .only_with("insert", feed),
+       key("total_count", &S::total_count, "number after which no more come in; 0: no limit").only_with("insert", feed),
+       key("max_delay", &S::max_delay, "how long a particle may wait for room before the run stops")
+           .unit("s")
+           .at_least(0)
+           .or_word("auto")
+           .defaults_to("a tenth of the time that the insertion lasts")
+           .only_with("insert", feed)},
       [] { return std::make_shared<S>(); }};
   return section;
 }

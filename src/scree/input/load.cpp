@@ -44,12 +44,15 @@ void complete(Case& c, const Origins& origins) {
     if (!origins.given(path + ".name")) p.name = fmt::format("group{}", i);
     if (!origins.given(path + ".region_min")) p.region_min = c.domain.min;
     if (!origins.given(path + ".region_max")) p.region_max = c.domain.max;
-    if (!p.file.empty()) p.file = beside_case(c, p.file);
+    for (std::string* file : {&p.file, &p.checkpoint})
+      if (!file->empty()) *file = beside_case(c, *file);
   }
   for (std::size_t i = 0; i < c.walls.size(); ++i) {
     if (!origins.given(item_path("walls", i) + ".name")) c.walls[i].name = fmt::format("wall{}", i);
     if (!c.walls[i].file.empty()) c.walls[i].file = beside_case(c, c.walls[i].file);
   }
+  for (std::size_t i = 0; i < c.outlets.size(); ++i)
+    if (!origins.given(item_path("outlets", i) + ".name")) c.outlets[i].name = fmt::format("outlet{}", i);
 }
 
 Outcome evaluate(Table root, const std::string& path, const std::vector<std::string>& overrides) {
@@ -66,6 +69,7 @@ Outcome evaluate(Table root, const std::string& path, const std::vector<std::str
   check_particles(check);
   check_fields(check);
   check_output(check);
+  check_exchange(check);
   check_verify(check);
   return result;
 }

@@ -85,12 +85,22 @@ Json describe_key(const Section& section, const Key& key) {
   return schema;
 }
 
+/// The key is there, or the one of the condition has one of its words.
+Json required_unless(const std::string& name, const Condition& condition) {
+  const Json there = {{"required", Json::array({name})}};
+  const Json excused = {{"properties", {{condition.key, {{"enum", condition.values}}}}},
+                        {"required", Json::array({condition.key})}};
+  return {{"anyOf", Json::array({there, excused})}};
+}
+
 Json describe_table(const Section& section) {
   Json schema = {{"type", "object"}, {"description", section.meaning}, {"additionalProperties", false}};
   Json required = Json::array();
   for (const Key& key : section.keys) {
     schema["properties"][key.name] = describe_key(section, key);
     if (key.is_required && key.conditions.empty()) required.push_back(key.name);
+    if (key.is_required && key.conditions.size() == 1 && key.conditions[0].none)
+      schema["allOf"].push_back(required_unless(key.name, key.conditions[0]));
   }
   if (!required.empty()) schema["required"] = required;
   return schema;

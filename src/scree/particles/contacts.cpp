@@ -16,6 +16,7 @@ PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::ve
   for (std::size_t c = 0; c < old.pairs.count; ++c) {
     if (!old.active[c]) continue;
     const std::int32_t a = place[old.pairs.owner[c]], b = place[old.pairs.partner[c]];
+    if (a < 0 || b < 0) continue;
     const double sign = a < b ? 1.0 : -1.0;
     const std::int32_t owner = std::min(a, b), partner = std::max(a, b);
     const auto* begin = out.pairs.partner.begin();

@@ -22,7 +22,8 @@ struct PairContacts {
   bool remembers_rolling = false;
 };
 
-/// The memory of `old` contacts moved to the candidates `fresh`; `place` tells where each particle went.
+/// The memory of `old` contacts moved to the candidates `fresh`; `place` tells where each particle went,
+/// negative if it is gone.
 PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::vector<std::int32_t>& place);
 
 /// One particle's side of a contact: the slot it reads and its sign there.

@@ -36,6 +36,7 @@ std::vector<double> diameters_by_fraction(const ParticleGroup& group, std::uint3
 }
 
 std::uint64_t group_count(const ParticleGroup& group) {
+  if (group.placement == ParticleGroup::Placement::feed) return 0;
   if (group.placement == ParticleGroup::Placement::given) return group.given.size();
   if (group.placement == ParticleGroup::Placement::lattice && group.count == 0) return lattice_sites(group).count();
   return group.count;
@@ -96,18 +97,17 @@ void fill_row(Particles& particles, std::size_t row, const ParticleGroup& group,
   particles.effect_excess[row] = 0.5 * group.effect_gap;
 }
 
-void insert_group(Particles& particles, std::size_t first, const ParticleGroup& group, std::uint32_t index,
-                  const std::vector<double>& diameters, const std::vector<Place>& places,
-                  const InsertionSetting& setting) {
-  for (std::size_t i = 0; i < diameters.size(); ++i) {
-    const bool own_spin = group.placement == ParticleGroup::Placement::given && group.given[i].angular_velocity;
-    fill_row(particles, first + i, group, diameters[i], places[i], start_velocity(group, index, i, places[i], setting),
-             own_spin ? *group.given[i].angular_velocity : group.angular_velocity);
-    particles.group[first + i] = static_cast<std::int32_t>(index);
-  }
-}
-
 }  // namespace
+
+void write_particle(Particles& particles, std::size_t row, const ParticleGroup& group, std::uint32_t index,
+                    const Newcomer& newcomer, const InsertionSetting& setting) {
+  const bool own_spin =
+      group.placement == ParticleGroup::Placement::given && group.given[newcomer.number].angular_velocity;
+  fill_row(particles, row, group, newcomer.diameter, newcomer.position,
+           start_velocity(group, index, newcomer.number, newcomer.position, setting),
+           own_spin ? *group.given[newcomer.number].angular_velocity : group.angular_velocity);
+  particles.group[row] = static_cast<std::int32_t>(index);
+}
 
 std::vector<double> group_diameters(const ParticleGroup& group, std::uint32_t index, std::uint64_t seed) {
   if (group.placement == ParticleGroup::Placement::random && group.count == 0)
@@ -134,9 +134,10 @@ Particles insert_particles(const std::vector<ParticleGroup>& groups, const Inser
   bool all_random = true;
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
     const std::vector<Place> places = places_of(groups[g], g, diameters[g], setting, space);
-    insert_group(particles, first, groups[g], g, diameters[g], places, setting);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      write_particle(particles, first + i, groups[g], g, {i, diameters[g][i], places[i]}, setting);
     first += places.size();
-    all_random = all_random && groups[g].placement == ParticleGroup::Placement::random;
+    all_random = all_random && (places.empty() || groups[g].placement == ParticleGroup::Placement::random);
   }
   check_places(particles, groups, setting);
   if (!all_random) check_overlaps(particles, groups, setting);

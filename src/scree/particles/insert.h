@@ -28,7 +28,7 @@ using FluidVelocity = std::function<std::array<double, 3>(const std::array<doubl
 
 /// Particles that are made alike.
 struct ParticleGroup {
-  enum class Placement { lattice, random, given };
+  enum class Placement { lattice, random, given, feed };
   enum class Start { given, random, fluid };
 
   std::string name;
@@ -45,7 +45,7 @@ struct ParticleGroup {
   double spacing = 0;                                // lattice [m]; 0: fill the region evenly with `count`
   double jitter = 0;                                 // lattice: largest shift over half the gap between neighbours
   std::uint64_t attempts = 1000;                     // random: tries per particle, on average over the group
-  std::vector<GivenParticle> given;                  // given
+  std::vector<GivenParticle> given;                  // given; those of a feed come later (feed.h)
 
   Start start = Start::given;
   std::array<double, 3> velocity{};          // given; the mean if random [m/s]
@@ -65,6 +65,17 @@ struct InsertionSetting {
 /// The diameters [m] of all particles of group number `index`, in the order of their numbers; as many as it has.
 /// With a solid fraction, particles are added until their volume is as near to the wanted one as it can be.
 std::vector<double> group_diameters(const ParticleGroup& group, std::uint32_t index, std::uint64_t seed);
+
+/// A particle that is to be made: its number in its group, and where.
+struct Newcomer {
+  std::uint64_t number = 0;
+  double diameter = 0;               // [m]
+  std::array<double, 3> position{};  // [m]
+};
+
+/// Writes a particle of group number `index` into a row, with the id of that row.
+void write_particle(Particles& particles, std::size_t row, const ParticleGroup& group, std::uint32_t index,
+                    const Newcomer& newcomer, const InsertionSetting& setting);
 
 /// Makes the particles of all groups. Ids count from 0 through the groups in their order. The result depends on the
 /// arguments alone. Throws InputError when a group does not fit, when a given particle lies outside the domain or in a

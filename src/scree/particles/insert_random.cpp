@@ -81,16 +81,6 @@ Range range_of_centres(const ParticleGroup& group, const Domain& domain, double 
   return range;
 }
 
-std::array<double, 3> random_place(const Range& range, const Domain& domain, RandomKey key, std::uint32_t attempt) {
-  key.draw = 2 * attempt;
-  const auto xy = uniform_pair(key);
-  key.draw = 2 * attempt + 1;
-  const std::array<double, 3> u{xy[0], xy[1], uniform(key)};
-  std::array<double, 3> x;
-  for (int k = 0; k < 3; ++k) x[k] = wrapped(range.low[k] + u[k] * range.width[k], domain, k);
-  return x;
-}
-
 [[noreturn]] void refuse_crowd(const ParticleGroup& group, const std::vector<double>& diameters,
                                const std::vector<std::uint32_t>& order, std::size_t placed) {
   double room = 1, wanted = 0, reached = 0;
@@ -110,6 +100,18 @@ std::array<double, 3> random_place(const Range& range, const Domain& domain, Ran
 
 }  // namespace
 
+std::array<double, 3> random_place(const ParticleGroup& group, std::uint32_t index, const Newcomer& newcomer,
+                                   std::uint32_t attempt, const InsertionSetting& setting) {
+  const Range range = range_of_centres(group, setting.domain, 0.5 * newcomer.diameter);
+  const std::uint32_t stream = random_stream(Purpose::position, index);
+  const auto xy = uniform_pair({setting.seed, stream, newcomer.number, 2 * attempt});
+  const double z = uniform({setting.seed, stream, newcomer.number, 2 * attempt + 1});
+  const std::array<double, 3> u{xy[0], xy[1], z};
+  std::array<double, 3> x;
+  for (int k = 0; k < 3; ++k) x[k] = wrapped(range.low[k] + u[k] * range.width[k], setting.domain, k);
+  return x;
+}
+
 std::vector<std::array<double, 3>> random_positions(const ParticleGroup& group, std::uint32_t index,
                                                     const std::vector<double>& diameters,
                                                     const InsertionSetting& setting, OccupiedSpace& space) {
@@ -122,11 +124,9 @@ std::vector<std::array<double, 3>> random_positions(const ParticleGroup& group, 
   for (std::size_t k = 0; k < order.size(); ++k) {
     const std::uint32_t i = order[k];
     const double radius = 0.5 * diameters[i];
-    const Range range = range_of_centres(group, setting.domain, radius);
-    const RandomKey key{setting.seed, random_stream(Purpose::position, index), i, 0};
     for (std::uint32_t attempt = 0;; ++attempt) {
       if (tries_left-- == 0) refuse_crowd(group, diameters, order, k);
-      positions[i] = random_place(range, setting.domain, key, attempt);
+      positions[i] = random_place(group, index, {i, diameters[i], {}}, attempt, setting);
       if (clear_of_walls(setting.walls, positions[i], radius) && space.is_free(positions[i], radius)) break;
     }
     space.add(positions[i], radius);

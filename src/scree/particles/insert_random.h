@@ -42,6 +42,11 @@ class OccupiedSpace {
   std::vector<Sphere> spheres_;
 };
 
+/// Place number `attempt` [m] that is tried for a particle of group `index`: uniform over the region, the body inside.
+/// Throws InputError when it is too large for the region.
+std::array<double, 3> random_place(const ParticleGroup& group, std::uint32_t index, const Newcomer& newcomer,
+                                   std::uint32_t attempt, const InsertionSetting& setting);
+
 /// Places the particles of a group, the largest first, where they touch neither what is in `space` nor a wall, and adds
 /// them to it. Position number i belongs to diameter number i. Every place is tried at random, uniform over the region;
 /// the tries of the whole group together are bounded by `group.attempts` per particle.

@@ -103,6 +103,7 @@ struct Pair {
 }  // namespace
 
 std::vector<std::uint32_t> storage_order(const Particles& particles, const Domain& domain, double width) {
+  if (particles.size() == 0) return {};
   Buffer<std::int32_t> all(particles.size());
   std::iota(all.begin(), all.end(), 0);
   const Bounds b = bounds_of(particles);

@@ -4,58 +4,12 @@
 
 #include "scree/base/exact_sum.h"
 #include "scree/compute/launch.h"
-#include "scree/physics/contact/law.h"
-#include "scree/physics/touch/sphere_sphere.h"
+#include "scree/particles/contact_state.h"
 
 namespace scree {
 namespace {
 
 sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
-
-sc_contact_state state_of(const Buffer<std::uint8_t>& active, const Buffer<double>& slide, const Buffer<double>& roll,
-                          std::size_t c) {
-  sc_contact_state s{};
-  s.slide = vec_of(&slide[4 * c]);
-  s.approach = slide[4 * c + 3];
-  s.acted = active[c] & 1;
-  s.slid = active[c] >> 1;
-  if (!roll.empty()) {
-    s.roll = vec_of(&roll[4 * c]);
-    s.twist = roll[4 * c + 3];
-  }
-  return s;
-}
-
-sc_touch touch_of_pair(const ParticleSystem& s, std::size_t c) {
-  const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
-  const double *a = s.particles.motion.row(i), *b = s.particles.motion.row(j);
-  double d[3];
-  for (int k = 0; k < 3; ++k) {
-    d[k] = s.domain.nearest(k, b[k] - a[k]);
-  }
-  const double *sa = s.particles.spin.row(i), *sb = s.particles.spin.row(j);
-  sc_sphere_pair p{};
-  p.branch = vec_of(d);
-  p.radii = a[lane::radius] + b[lane::radius];
-  p.velocity = sc_sub(vec_of(a + lane::vx), vec_of(b + lane::vx));
-  p.inverse_mass = a[lane::inverse_mass] + b[lane::inverse_mass];
-  p.rim_speed = sc_add(vec_of(sa), vec_of(sb));
-  p.inverse_radius = sa[lane::inverse_radius] + sb[lane::inverse_radius];
-  p.excess = s.particles.effect_excess[i] + s.particles.effect_excess[j];
-  return sc_touch_spheres(p).touch;
-}
-
-sc_touch touch_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t face) {
-  const double* m = s.particles.motion.row(p);
-  sc_sphere_wall w{};
-  w.position = vec_of(m);
-  w.velocity = vec_of(m + lane::vx);
-  w.rim_speed = vec_of(s.particles.spin.row(p));
-  w.radius = m[lane::radius];
-  w.inverse_mass = m[lane::inverse_mass];
-  w.excess = s.particles.effect_excess[p];
-  return sc_touch_wall(w, s.walls.faces[face], s.walls.pose_of(face)).touch;
-}
 
 struct StoredSums {
   ExactSum elastic, cohesive;
@@ -113,23 +67,13 @@ std::vector<WallLoad> loads_of(const ParticleSystem& s, const Buffer<double>& lo
 
 StoredEnergy stored_energy(const ParticleSystem& s) {
   std::vector<StoredSums> part(omp_get_max_threads());
-  const auto& pairs = s.contacts.pairs;
-  const Particles& p = s.particles;
 #pragma omp parallel for schedule(static)
-  for (std::size_t c = 0; c < pairs.count; ++c) {
-    if (!s.contacts.active[c]) continue;
-    const sc_pair_law& law = s.materials.pair(p.material[pairs.owner[c]], p.material[pairs.partner[c]]);
-    part[omp_get_thread_num()].add(sc_contact_energy_of(
-        s.laws, law, touch_of_pair(s, c), state_of(s.contacts.active, s.contacts.slide, s.contacts.roll, c)));
-  }
+  for (std::size_t c = 0; c < s.contacts.pairs.count; ++c)
+    if (s.contacts.active[c]) part[omp_get_thread_num()].add(energy_of_pair(s, c));
   const WallContacts& walls = s.wall_contacts;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for (std::int32_t w = walls.first[i]; w < walls.first[i + 1]; ++w) {
-      if (!walls.active[w]) continue;
-      const sc_pair_law& law = s.materials.pair(p.material[i], s.walls.faces[walls.wall[w]].material);
-      part[0].add(sc_contact_energy_of(s.laws, law, touch_of_wall(s, i, walls.wall[w]),
-                                       state_of(walls.active, walls.slide, walls.roll, w)));
-    }
+  for (std::size_t i = 0; i < s.particles.size(); ++i)
+    for (std::int32_t w = walls.first[i]; w < walls.first[i + 1]; ++w)
+      if (walls.active[w]) part[0].add(energy_of_wall(s, i, w));
   StoredSums all;
   for (const StoredSums& one : part) {
     all.elastic.add(one.elastic);

@@ -123,9 +123,9 @@ template <class Laws>
   return sc_move_sphere(m, s, load_of(g), {sc_zero_vec(), sc_zero_vec()}).motion;
 }
 
+/// Particle p moves under what its contacts with particles have given it, its walls and the fields.
 template <class Laws>
-[[gnu::always_inline]] inline void move(const SweepView& v, std::int64_t p, SweepFindings& findings) {
-  Gathered g = gather(v, p);
+[[gnu::always_inline]] inline void move_under(const SweepView& v, std::int64_t p, Gathered g, SweepFindings& findings) {
   double *m = v.motion + 8 * p, *spin = v.spin + 4 * p;
   sc_sphere_motion s;
   s.position = vec_of(m);
@@ -149,6 +149,11 @@ template <class Laws>
   const double speed2 = sc_dot(q.velocity, q.velocity);
   findings.fastest2 = SC_MAX(findings.fastest2, speed2);
   findings.sound = findings.sound & (speed2 < 1e300);
+}
+
+template <class Laws>
+[[gnu::always_inline]] inline void move(const SweepView& v, std::int64_t p, SweepFindings& findings) {
+  move_under<Laws>(v, p, gather(v, p), findings);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ double greatest_travel(const Particles& p, const Domain& domain, const Buffer<do
 /// A list that lasts long costs candidates that do not touch in every step, a short one costs making: hold the balance.
 /// The lists change no bits, so the skin may follow the motion.
 void adapt_skin(ContactLists& lists, const ParticleSystem& s) {
-  if (lists.rebuilds == 0 || lists.passes == 0) return;
+  if (lists.rebuilds == 0 || lists.passes == 0 || s.particles.size() == 0) return;
   const double n = static_cast<double>(s.particles.size());
   const auto acts = [](std::uint8_t code) { return code != 0; };
   const auto acting = static_cast<double>(std::count_if(s.contacts.active.begin(), s.contacts.active.end(), acts));
@@ -73,13 +73,24 @@ void adapt_skin(ContactLists& lists, const ParticleSystem& s) {
   lists.skin = std::clamp(lists.skin, 0.08 * radius, 1.0 * radius);
 }
 
-void make_lists(ParticleSystem& s, ContactLists& lists, int ranges) {
+/// How far apart bodies may be and still act on each other, and a first skin where there is none.
+void measure_reach(ContactLists& lists, const ParticleSystem& s) {
+  lists.margin = std::max(reach_beyond_bodies(s), 2 * largest_effect_excess(s.particles));
+  if (lists.skin == 0) lists.skin = 0.1 * mean_radius(s.particles);
+}
+
+/// Where carry_over() finds a particle that is gone.
+constexpr std::int32_t nowhere = -1;
+
+/// Particles marked in `gone`, if it is not empty, are left out from here on.
+void make_lists(ParticleSystem& s, ContactLists& lists, const Team& team, const std::vector<std::uint8_t>& gone) {
   Particles& p = s.particles;
-  const std::size_t n = p.size();
   // Cells of about a diameter keep neighbours in space close in memory.
-  const std::vector<std::uint32_t> order = storage_order(p, s.domain, 2 * mean_radius(p) + lists.skin);
+  std::vector<std::uint32_t> order = storage_order(p, s.domain, 2 * mean_radius(p) + lists.skin);
+  if (!gone.empty()) std::erase_if(order, [&](std::uint32_t i) { return i < gone.size() && gone[i]; });
+  std::vector<std::int32_t> place(p.size(), nowhere);
   p.permute(order);
-  std::vector<std::int32_t> place(n);
+  const std::size_t n = p.size();
   for (std::size_t i = 0; i < n; ++i) place[order[i]] = static_cast<std::int32_t>(i);
   // Searches look from effect surface to effect surface; necks, which know nothing of these, reach beyond.
   const double reach = lists.skin + longest_neck(s);
@@ -87,7 +98,7 @@ void make_lists(ParticleSystem& s, ContactLists& lists, int ranges) {
   WallContacts walls = find_wall_contacts(p, s.walls, reach);
   carry_over(walls, s.wall_contacts, place);
   s.wall_contacts = std::move(walls);
-  lists.plan = plan_sweep(s.contacts.pairs, p, ranges);
+  lists.plan = plan_sweep(s.contacts.pairs, p, team.hands(n));
   lists.slots.slots.resize(8 * std::size_t(lists.plan.slots));
   if (s.contacts.remembers_rolling) lists.slots.couples.resize(4 * std::size_t(lists.plan.slots));
   lists.listed_at.resize(3 * n);
@@ -119,11 +130,24 @@ double longest_range(const ParticleSystem& s) { return 2 * largest_radius(s.part
 ContactLists prepare_lists(const ParticleSystem& s, double skin) {
   ContactLists lists;
   lists.kernels = sweep_kernels(s.laws, s.materials.count());
-  lists.margin = std::max(reach_beyond_bodies(s), 2 * largest_effect_excess(s.particles));
-  lists.skin = skin > 0 ? skin : 0.1 * mean_radius(s.particles);
+  lists.skin = skin;
   lists.adapts = skin == 0;
+  measure_reach(lists, s);
   return lists;
 }
+
+namespace {
+
+void renew_lists(ParticleSystem& s, ContactLists& lists, const Team& team, const std::vector<std::uint8_t>& gone) {
+  make_lists(s, lists, team, gone);
+  if constexpr (auditing) audit_lists(s, lists);
+  lists.travelled = lists.walls_travelled = 0;
+  lists.passes = 0;
+  ++lists.rebuilds;
+  lists.made = true;
+}
+
+}  // namespace
 
 bool refresh_lists(ParticleSystem& s, ContactLists& lists, const Team& team) {
   const int ranges = team.hands(s.particles.size());
@@ -134,13 +158,16 @@ bool refresh_lists(ParticleSystem& s, ContactLists& lists, const Team& team) {
     if (1.25 * approached(lists) <= lists.skin) return false;
   }
   if (lists.adapts) adapt_skin(lists, s);
-  make_lists(s, lists, ranges);
-  if constexpr (auditing) audit_lists(s, lists);
-  lists.travelled = lists.walls_travelled = 0;
-  lists.passes = 0;
-  ++lists.rebuilds;
-  lists.made = true;
+  renew_lists(s, lists, team, {});
   return true;
+}
+
+void change_population(ParticleSystem& s, ContactLists& lists, const std::vector<std::uint8_t>& gone,
+                       const Particles& fresh, const Team& team) {
+  if (lists.adapts) adapt_skin(lists, s);
+  s.particles.append(fresh);
+  measure_reach(lists, s);
+  renew_lists(s, lists, team, gone);
 }
 
 void note_travel(ContactLists& lists, double distance) {
@@ -187,8 +214,8 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
   for (int k = 0; k < 3; ++k) {
     v.period[k] = s.domain.period(k);
     v.half_period[k] = s.domain.half_period(k);
-    v.low[k] = s.domain.min[k];
-    v.high[k] = s.domain.max[k];
+    v.low[k] = s.domain.low(k);
+    v.high[k] = s.domain.high(k);
   }
   v.half_period[3] = std::numeric_limits<double>::infinity();
   v.move = move;

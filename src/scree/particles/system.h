@@ -48,6 +48,11 @@ ContactLists prepare_lists(const ParticleSystem& system, double skin);
 /// Makes the lists again if some particle may have come near another one unlisted. True if it did.
 bool refresh_lists(ParticleSystem& system, ContactLists& lists, const Team& team);
 
+/// Particles marked in `gone` ([particles]; may be empty) go, those of `fresh` come; the contacts of the others keep
+/// their memory. Makes the lists again.
+void change_population(ParticleSystem& system, ContactLists& lists, const std::vector<std::uint8_t>& gone,
+                       const Particles& fresh, const Team& team);
+
 /// Notes that particles moved by at most `distance` [m] since the last call.
 void note_travel(ContactLists& lists, double distance);
 

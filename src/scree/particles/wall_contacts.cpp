@@ -59,6 +59,7 @@ void carry_over(WallContacts& fresh, const WallContacts& old, const std::vector<
     for (std::int32_t from = old.first[p]; from < old.first[p + 1]; ++from) {
       if (!old.active[from]) continue;
       const std::int32_t q = place[p];
+      if (q < 0) continue;
       const auto* last = std::as_const(fresh.wall).begin() + fresh.first[q + 1];
       const auto* found = std::lower_bound(std::as_const(fresh.wall).begin() + fresh.first[q], last, old.wall[from]);
       if (found == last || *found != old.wall[from]) continue;  // parted in the step before

@@ -23,7 +23,8 @@ struct WallContacts {
 /// All faces closer to a particle's effect surface than `skin` [m], bodies of infinite mass left out.
 WallContacts find_wall_contacts(const Particles& particles, const Walls& walls, double skin);
 
-/// Copies the memory of `old` contacts into `fresh`; `place` tells where each particle went.
+/// Copies the memory of `old` contacts into `fresh`; `place` tells where each particle went,
+/// negative if it is gone.
 void carry_over(WallContacts& fresh, const WallContacts& old, const std::vector<std::int32_t>& place);
 
 }  // namespace scree

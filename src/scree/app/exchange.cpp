@@ -1,0 +1,109 @@
+#include "scree/app/exchange.h"
+
+#include <cstring>
+#include <type_traits>
+
+#include "scree/app/build_exchange.h"
+#include "scree/app/build_particles.h"
+#include "scree/base/error.h"
+#include "scree/particles/insert_random.h"
+
+namespace scree {
+namespace {
+
+/// Plain structs of eight-byte members as whole numbers, and back.
+template <class T>
+std::vector<std::int64_t> as_words(const T* values, std::size_t count) {
+  static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(std::int64_t) == 0);
+  std::vector<std::int64_t> words(count * sizeof(T) / sizeof(std::int64_t));
+  if (count > 0) std::memcpy(words.data(), values, count * sizeof(T));
+  return words;
+}
+
+template <class T>
+void from_words(const Archive& archive, const char* name, T* values, std::size_t count) {
+  const auto words = archive.get<std::int64_t>(name);
+  if (words.size() * sizeof(std::int64_t) != count * sizeof(T))
+    throw InputError(archive.origin + ": wrong number of " + name +
+                     ": it comes from another case or another version of the program");
+  if (count > 0) std::memcpy(static_cast<void*>(values), words.data(), count * sizeof(T));
+}
+
+}  // namespace
+
+Exchange::Exchange(const Case& c, std::int64_t next_id)
+    : every_(static_cast<std::int64_t>(c.simulation.exchange_every)),
+      seed_(c.simulation.seed),
+      feeds_(build_feeds(c)),
+      states_(feeds_.size()),
+      outlets_(build_outlets(c)),
+      outlet_counts_(outlets_.size()),
+      next_id_(next_id) {
+  if (feeds_.empty()) return;
+  const std::vector<ParticleGroup> all = build_groups(c, Takeover::skip);
+  InsertionSetting setting;
+  setting.domain = {c.domain.min, c.domain.max, c.domain.periodic};
+  for (const Feed& feed : feeds_) {
+    groups_.push_back(all[feed.group]);
+    random_place(groups_.back(), feed.group, {0, max_diameter(groups_.back().sizes), {}}, 0, setting);
+  }
+}
+
+Newcomers Exchange::newcomers(const ParticleSystem& system, Fields& fields, double time,
+                              const std::vector<std::uint8_t>& gone, std::vector<FeedState>& states) const {
+  InsertionSetting setting;
+  setting.domain = system.domain;
+  setting.walls = &system.walls;
+  setting.seed = seed_;
+  setting.fluid = [&](const std::array<double, 3>& x) { return flow_velocity(fields, x.data(), time); };
+  Newcomers out;
+  out.next_id = next_id_;
+  for (std::size_t f = 0; f < feeds_.size(); ++f)
+    feed({feeds_[f], groups_[f], setting, time, system.particles, gone}, states[f], out);
+  return out;
+}
+
+bool Exchange::run(ParticleSystem& system, ContactLists& lists, Fields& fields, const Moment& moment,
+                   const Team& team) {
+  const std::vector<std::uint8_t> taken = find_leavers(system.particles, system.domain, outlets_);
+  std::vector<FeedState> states = states_;
+  Newcomers coming = newcomers(system, fields, moment.now, taken, states);
+  const bool changed = !taken.empty() || coming.particles.size() > 0;
+  states_ = std::move(states);
+  next_id_ = coming.next_id;
+  if (!changed) return false;
+  const bool local = act_locally(fields);
+  Buffer<sc_field> field;
+  if (!taken.empty()) {
+    if (local) evaluate(fields, system.particles, moment.now, lists.kernels, field);
+    let_out(system, lists, taken, moment, local ? field.data() : nullptr, passage_);
+    for (std::size_t i = 0; i < taken.size(); ++i)
+      if (taken[i]) {
+        OutletCount& outlet = outlet_counts_[taken[i] - 1];
+        ++outlet.count;
+        outlet.mass.add(system.particles.mass[i]);
+      }
+  }
+  if (local) evaluate(fields, coming.particles, moment.now, lists.kernels, field);
+  let_in(coming.particles, system.domain, moment, local ? field.data() : nullptr, passage_);
+  change_population(system, lists, taken, coming.particles, team);
+  return true;
+}
+
+void Exchange::save(Archive& archive) const {
+  archive.set("next_id", next_id_);
+  if (!active()) return;
+  archive.put("feeds", as_words(states_.data(), states_.size()));
+  archive.put("outlets", as_words(outlet_counts_.data(), outlet_counts_.size()));
+  archive.put("passage", as_words(&passage_, 1));
+}
+
+void Exchange::restore(const Archive& archive) {
+  next_id_ = archive.integer("next_id");
+  if (!active()) return;
+  from_words(archive, "feeds", states_.data(), states_.size());
+  from_words(archive, "outlets", outlet_counts_.data(), outlet_counts_.size());
+  from_words(archive, "passage", &passage_, 1);
+}
+
+}  // namespace scree

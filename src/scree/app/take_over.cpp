@@ -1,0 +1,101 @@
+#include "scree/app/take_over.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+#include <sstream>
+
+#include "scree/base/error.h"
+#include "scree/output/run_directory.h"
+
+namespace scree {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path checkpoint_file(const ParticleKeys& keys) {
+  std::error_code ignored;
+  if (!fs::is_directory(keys.checkpoint, ignored)) return keys.checkpoint;
+  const auto newest = newest_checkpoint(keys.checkpoint).path;
+  if (!newest)
+    throw InputError(
+        fmt::format("particle group '{}': the directory {} holds no checkpoint that can be read\n"
+                    "  = help: give the directory of a finished or interrupted run, or one of its checkpoints",
+                    keys.name, keys.checkpoint));
+  return *newest;
+}
+
+/// Index of the wanted group in the other run, or -1 for all.
+std::int32_t source_group(const Archive& archive, const ParticleKeys& keys) {
+  if (keys.source_group.empty()) return -1;
+  std::istringstream names(archive.text("groups"));
+  std::string all;
+  std::int32_t index = 0;
+  for (std::string name; std::getline(names, name); ++index) {
+    if (name == keys.source_group) return index;
+    all += (all.empty() ? "'" : ", '") + name + "'";
+  }
+  throw InputError(fmt::format("particle group '{}': {} has no group '{}'\n  = help: its groups are {}", keys.name,
+                               archive.origin, keys.source_group, all));
+}
+
+}  // namespace
+
+Particles particles_of(const Archive& archive) {
+  Particles out;
+  out.resize(static_cast<std::size_t>(archive.integer("particles")));
+  out.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
+    if (!saved) return;
+    using Value = typename std::remove_reference_t<decltype(column)>::value_type;
+    const auto values = archive.get<Value>(std::string(name), column.components);
+    if (values.size() != column.values.size())
+      throw InputError(archive.origin + ": wrong number of " + std::string(name));
+    std::copy(values.begin(), values.end(), column.values.begin());
+  });
+  return out;
+}
+
+std::string group_names(const Case& c) {
+  std::string names;
+  for (const ParticleKeys& keys : c.particles) names += keys.name + "\n";
+  return names;
+}
+
+bool takes_over(const Case& c) {
+  return std::any_of(c.particles.begin(), c.particles.end(),
+                     [](const ParticleKeys& keys) { return keys.insert == "checkpoint"; });
+}
+
+std::vector<GivenParticle> take_over(const Case& c, const ParticleKeys& keys) {
+  const Archive archive = read_archive(checkpoint_file(keys));
+  const Particles p = particles_of(archive);
+  const std::int32_t wanted = source_group(archive, keys);
+  std::vector<std::uint32_t> order(p.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return p.id[a] < p.id[b]; });
+  std::vector<GivenParticle> taken;
+  double largest = 0;
+  for (const std::uint32_t i : order) {
+    const double *m = p.motion.row(i), *s = p.spin.row(i);
+    if (wanted < 0 ? m[lane::inverse_mass] == 0 : p.group[i] != wanted) continue;
+    const double rate = s[lane::inverse_radius];
+    taken.push_back({{m[0], m[1], m[2]},
+                     {{m[lane::vx], m[lane::vy], m[lane::vz]}},
+                     {{s[0] * rate, s[1] * rate, s[2] * rate}},
+                     2 * m[lane::radius]});
+    largest = std::max(largest, 2 * m[lane::radius]);
+  }
+  if (taken.empty())
+    throw InputError(fmt::format("particle group '{}': {} holds no particle to take over", keys.name, archive.origin));
+  for (int k = 0; k < 3; ++k)
+    if (c.domain.periodic[k] && c.domain.max[k] - c.domain.min[k] <= 2 * (largest + keys.effect_gap))
+      throw InputError(
+          fmt::format("particle group '{}': the domain is too small to be periodic along {} with particles of {:g} m\n"
+                      "  = help: a periodic box must be longer than two interaction ranges",
+                      keys.name, "xyz"[k], largest));
+  return taken;
+}
+
+}  // namespace scree

@@ -1,0 +1,22 @@
+// One contact at a time, as the sample and the books look at it: geometry, memory and energy.
+#pragma once
+
+#include "scree/particles/system.h"
+#include "scree/physics/contact/contact.h"
+#include "scree/physics/touch/sphere_sphere.h"
+
+namespace scree {
+
+/// How the partners of candidate pair c meet now, seen from the owner.
+sc_sphere_touch touch_of_pair(const ParticleSystem& system, std::size_t c);
+
+/// What candidate pair c remembers.
+sc_contact_state state_of_pair(const ParticleSystem& system, std::size_t c);
+
+/// Energy stored in candidate pair c [J]; nothing unless it acts.
+sc_contact_energy energy_of_pair(const ParticleSystem& system, std::size_t c);
+
+/// Energy stored in contact w of particle p with a wall [J]; nothing unless it acts.
+sc_contact_energy energy_of_wall(const ParticleSystem& system, std::size_t p, std::int32_t w);
+
+}  // namespace scree
