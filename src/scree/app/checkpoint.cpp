@@ -145,8 +145,6 @@ WallContacts walls_of(std::span<const std::int64_t> ids, std::span<const double>
   return out;
 }
 
-}
-
 }  // namespace
 
 std::string Simulation::state_hash() const {
