@@ -130,12 +130,12 @@ TEST(MovingWall, ThatClosesOnAParticleIsNamed) {
       "-1]\n"
       "motion = { type = \"velocity\", velocity = [0, 0, -0.3] }\n";
   const std::string closed = fate(case_of(ball_text("[0, 0, 0.005]", floor + press)), 2000);
-  EXPECT_NE(closed.find("'press'. The wall closes on the particle"), std::string::npos) << closed;
+  EXPECT_NE(closed.find("Wall 'press' closes on the particle"), std::string::npos) << closed;
   const std::string gate =
       "[[walls]]\nname = \"gate\"\ntype = \"rectangle\"\nmaterial = \"steel\"\nmin = [-1, -1, 0.006]\n"
       "max = [1, 1, 0.006]\nfrom = 0.001\n";
   const std::string appeared = fate(case_of(ball_text("[0, 0, 0.005]", gate)), 2000);
-  EXPECT_NE(appeared.find("'gate'. The wall appears where the particle is"), std::string::npos) << appeared;
+  EXPECT_NE(appeared.find("Wall 'gate' appears where the particle is"), std::string::npos) << appeared;
 }
 
 const LawChoice rough{"rough", "rolling = \"spring\"\ntwisting = \"spring\"\n",

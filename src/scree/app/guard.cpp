@@ -71,26 +71,39 @@ Overlap deepest_pair(const ParticleSystem& s) {
   return worst;
 }
 
-/// Why a particle may be deep in a wall, and what to do.
-std::string reason_of(const sc_wall_pose& pose) {
-  if (pose.changed)
-    return "The wall appears where the particle is: let it appear (walls.from) at another time or place";
-  if (pose.moves) return "The wall closes on the particle: leave room between walls, or slow it down (walls.motion)";
+/// Overlap of a particle with the wall of its contact c, over its radius; negative if they are apart.
+double share_of(const ParticleSystem& s, std::size_t particle, std::int32_t c) {
+  const std::size_t face = static_cast<std::size_t>(s.wall_contacts.wall[c]);
+  const double* m = s.particles.motion.row(particle);
+  const sc_vec x = sc_make_vec(m[lane::x], m[lane::y], m[lane::z]);
+  if (!s.walls.pose_of(face).present) return -1;
+  return 1 - sc_gap_to_wall(s.walls.faces[face], s.walls.pose_of(face), x).distance / m[lane::radius];
+}
+
+/// Why a particle is deep in a wall, and what to do: perhaps another wall presses it there.
+std::string reason_at_wall(const ParticleSystem& s, std::size_t particle) {
+  for (std::int32_t c = s.wall_contacts.first[particle]; c < s.wall_contacts.first[particle + 1]; ++c) {
+    if (share_of(s, particle, c) <= 0) continue;
+    const std::size_t face = static_cast<std::size_t>(s.wall_contacts.wall[c]);
+    const sc_wall_pose& pose = s.walls.pose_of(face);
+    if (pose.changed)
+      return fmt::format("Wall '{}' appears where the particle is: let it appear (walls.from) at another time or place",
+                         s.walls.name_of(face));
+    if (pose.moves)
+      return fmt::format("Wall '{}' closes on the particle: leave room between walls, or slow it down (walls.motion)",
+                         s.walls.name_of(face));
+  }
   return Overlap().reason;
 }
 
 Overlap deepest_at_wall(const ParticleSystem& s) {
-  const Particles& p = s.particles;
   Overlap worst;
   for (std::size_t i = 0; i + 1 < s.wall_contacts.first.size(); ++i)
     for (std::int32_t c = s.wall_contacts.first[i]; c < s.wall_contacts.first[i + 1]; ++c) {
-      const std::size_t face = static_cast<std::size_t>(s.wall_contacts.wall[c]);
-      const sc_wall_pose& pose = s.walls.pose_of(face);
-      const double* m = p.motion.row(i);
-      const sc_vec x = sc_make_vec(m[lane::x], m[lane::y], m[lane::z]);
-      const double share = 1 - sc_gap_to_wall(s.walls.faces[face], pose, x).distance / m[lane::radius];
-      if (share <= worst.share || !pose.present) continue;
-      worst = {share, place_of(p, i) + " and wall '" + s.walls.name_of(face) + "'", reason_of(pose)};
+      const double share = share_of(s, i, c);
+      if (share <= worst.share) continue;
+      const std::string& name = s.walls.name_of(static_cast<std::size_t>(s.wall_contacts.wall[c]));
+      worst = {share, place_of(s.particles, i) + " and wall '" + name + "'", reason_at_wall(s, i)};
     }
   return worst;
 }
