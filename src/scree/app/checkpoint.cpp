@@ -200,7 +200,6 @@ Archive Simulation::save() const {
 }
 
 void Simulation::restore(const Archive& archive) {
-  const std::int64_t n = archive.integer("particles");
   if (archive.number("time_step") != clock_.dt)
     throw InputError(
         fmt::format("{} was written with time step {} s, the case has {} s: a run continues with its own time "

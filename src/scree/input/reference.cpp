@@ -36,6 +36,7 @@ std::string default_cell(const Section& section, const Key& key) {
 
 std::string meaning_cell(const Key& key) {
   std::string cell = key.meaning;
+  if (cell.ends_with('.')) cell.pop_back();  // of a table
   for (const Condition& c : key.conditions) cell += fmt::format(". Only with `{}`", in_words(c));
   return escaped(cell);
 }
