@@ -63,8 +63,8 @@ Newcomers Exchange::newcomers(const ParticleSystem& system, Fields& fields, doub
   return out;
 }
 
-bool Exchange::run(ParticleSystem& system, ContactLists& lists, Fields& fields, const Moment& moment,
-                   const Team& team) {
+bool Exchange::run(ParticleSystem& system, ContactLists& lists, Fields& fields, const sc_field* field,
+                   const Moment& moment, const Team& team) {
   const std::vector<std::uint8_t> taken = find_leavers(system.particles, system.domain, outlets_);
   std::vector<FeedState> states = states_;
   Newcomers coming = newcomers(system, fields, moment.now, taken, states);
@@ -72,11 +72,8 @@ bool Exchange::run(ParticleSystem& system, ContactLists& lists, Fields& fields, 
   states_ = std::move(states);
   next_id_ = coming.next_id;
   if (!changed) return false;
-  const bool local = act_locally(fields);
-  Buffer<sc_field> field;
   if (!taken.empty()) {
-    if (local) evaluate(fields, system.particles, moment.now, lists.kernels, field);
-    let_out(system, lists, taken, moment, local ? field.data() : nullptr, passage_);
+    let_out(system, lists, taken, moment, field, passage_);
     for (std::size_t i = 0; i < taken.size(); ++i)
       if (taken[i]) {
         OutletCount& outlet = outlet_counts_[taken[i] - 1];
@@ -84,8 +81,10 @@ bool Exchange::run(ParticleSystem& system, ContactLists& lists, Fields& fields, 
         outlet.mass.add(system.particles.mass[i]);
       }
   }
-  if (local) evaluate(fields, coming.particles, moment.now, lists.kernels, field);
-  let_in(coming.particles, system.domain, moment, local ? field.data() : nullptr, passage_);
+  Buffer<sc_field> around;
+  const bool local = act_locally(fields);
+  if (local) evaluate(fields, coming.particles, moment.now, lists.kernels, around);
+  let_in(coming.particles, system.domain, moment, local ? around.data() : nullptr, passage_);
   change_population(system, lists, taken, coming.particles, team);
   return true;
 }

@@ -26,9 +26,10 @@ class Exchange {
   /// True if the case lets particles come or go at all.
   bool active() const { return !feeds_.empty() || !outlets_.empty(); }
 
-  /// Takes out what is in the outlets, then lets in what is due. `lists` must be made. True if anybody came or went.
-  /// Throws PhysicsError, with nothing changed, when a feed is too late.
-  bool run(ParticleSystem& system, ContactLists& lists, Fields& fields, const Moment& moment, const Team& team);
+  /// Takes out what is in the outlets, then lets in what is due. `lists` must be made; `field` as in a pass. True if
+  /// anybody came or went. Throws PhysicsError, with nothing changed, when a feed is too late.
+  bool run(ParticleSystem& system, ContactLists& lists, Fields& fields, const sc_field* field, const Moment& moment,
+           const Team& team);
 
   const Passage& passage() const { return passage_; }
   const std::vector<Outlet>& outlets() const { return outlets_; }

@@ -48,9 +48,12 @@ void Simulation::move_walls() {
 void Simulation::exchange_particles() {
   if (!exchange_.due(clock_.step)) return;
   refresh_neighbours();
+  evaluate_fields();
   const Stopwatch watch(stages_, "exchange");
+  const sc_field* field = fields_matter() ? field_.data() : nullptr;
   const Moment moment = moment_of(move_now(), contact_time_now(), clock_.now());
-  if (exchange_.run(system_, lists_, fields_, moment, team_)) findings_.fastest2 = fastest_square(system_.particles);
+  if (exchange_.run(system_, lists_, fields_, field, moment, team_))
+    findings_.fastest2 = fastest_square(system_.particles);
 }
 
 void Simulation::refresh_neighbours() {

@@ -102,11 +102,14 @@ void add(Gathered& sum, const Gathered& more) {
   sum.couple += more.couple;
 }
 
-/// Gives one that stays its share of a contact that ends; `v` describes a pass without fields.
+/// Gives one that stays its share of a contact that ends; `v` describes a pass without forces of fields. A prescribed
+/// body needs its acceleration to know its velocity now.
 void push_once_more(const SweepView& v, Particles& p, std::size_t i, const Gathered& g) {
   const sc_sphere_motion before = motion_of(p, i);
   const sc_sphere_load load = load_of(g);
-  const sc_sphere_moved moved = sc_move_sphere(v.move, before, load, {sc_zero_vec(), sc_zero_vec()});
+  sc_field field{sc_zero_vec(), sc_zero_vec()};
+  if (v.field && before.inverse_mass == 0) field = v.field[i];
+  const sc_sphere_moved moved = sc_move_sphere(v.move, before, load, field);
   book(v, static_cast<std::int64_t>(i), before, no_load, load, moved);
   put(p.motion.row(i) + lane::vx, moved.motion.velocity);
   put(p.spin.row(i), moved.motion.rim);
@@ -116,11 +119,10 @@ void push_once_more(const SweepView& v, Particles& p, std::size_t i, const Gathe
   loss[2] += g.couple[3];
 }
 
-/// The same pass without anything but contacts.
+/// The same pass without forces of fields.
 SweepView without_fields(SweepView v) {
   v.move.gravity = v.move.rotation = sc_zero_vec();
   v.move.drag = SC_DRAG_NONE;
-  v.field = nullptr;
   v.book_gravity = false;
   return v;
 }
