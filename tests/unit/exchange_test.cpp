@@ -345,6 +345,28 @@ TEST(Exchange, TheFeedFollowsItsRateWithItsSizes) {
   EXPECT_GT(rain, 10);
 }
 
+TEST(Exchange, NewcomersTouchNobody) {
+  // A feed that fills its region again and again; bodies move by less than this in the step in which they come.
+  const double step = 2 * 2e-5 * 2;
+  Simulation s(case_of(hopper, {"particles.rain.mass_rate=0.03", "particles.rain.max_delay=1"}), Team(1, 1));
+  std::set<std::int64_t> ids;
+  for (int k = 0; k < 20; ++k) {
+    advance(s, k ? 50 : 1);
+    const Particles& p = s.system().particles;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (!ids.insert(p.id[i]).second || k == 0) continue;
+      const double* x = p.motion.row(i);
+      for (int a = 0; a < 2; ++a) EXPECT_LE(std::abs(x[a]) + x[lane::radius], 0.01 + step);
+      for (std::size_t j = 0; j < p.size(); ++j) {
+        const double* y = p.motion.row(j);
+        if (i == j) continue;
+        EXPECT_GT(std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]), x[lane::radius] + y[lane::radius] - step);
+      }
+    }
+  }
+  EXPECT_GT(ids.size(), 150u);
+}
+
 TEST(Exchange, AFeedThatIsTooFastStopsAndLosesNothing) {
   Simulation s(case_of(hopper, {"particles.rain.mass_rate=1", "particles.rain.max_delay=0.002"}), Team(1, 1));
   try {
