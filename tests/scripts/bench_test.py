@@ -40,7 +40,7 @@ class Bench(unittest.TestCase):
 
     def test_what_cannot_be_done_is_refused_before_measuring(self):
         self.assertRefused(["liner"], "no benchmark 'liner'", "did you mean 'linear'?")
-        self.assertRefused(["xyzzy"], "dense, dilute or linear")
+        self.assertRefused(["xyzzy"], "take dense, dilute, drum, silo, mix, linear")
         self.assertRefused(["dense", "--plot", self.directory / "a.png"], "name it too")
         self.assertRefused(["linear", "--plot", self.directory / "a.pdf"], "ends in .png")
         self.assertRefused(["linear", "--json", self.directory / "none" / "a.json"], "there is no directory")

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scree/app/bench_linear.h"
+#include "scree/app/bench_mesh.h"
 #include "scree/app/bench_scene.h"
 #include "scree/app/packing.h"
 #include "scree/app/plot.h"
@@ -29,12 +30,12 @@ std::string cache_directory() {
 }
 
 void check_names(const std::vector<std::string>& names) {
-  const std::vector<std::string> known = {"dense", "dilute", "linear"};
+  const std::vector<std::string> known = {"dense", "dilute", "drum", "silo", "mix", "linear"};
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError(
-          fmt::format("there is no benchmark '{}'; {}", name,
-                      did_you_mean(name, known).empty() ? "take dense, dilute or linear" : did_you_mean(name, known)));
+      throw InputError(fmt::format("there is no benchmark '{}'; {}", name,
+                                   did_you_mean(name, known).empty() ? fmt::format("take {}", fmt::join(known, ", "))
+                                                                     : did_you_mean(name, known)));
 }
 
 /// Refuses before the measurements what could not be written after them.
@@ -63,10 +64,12 @@ void measure(const std::string& name, const std::vector<int>& threads, const Ben
     return;
   }
   // Absolute: file names in a case are relative to the case.
-  const fs::path packings = options.packings.empty() ? cache_directory() : options.packings;
-  const std::string packing = make_packing(name, fs::absolute(packings).string());
+  const std::string packings = fs::absolute(options.packings.empty() ? cache_directory() : options.packings).string();
+  std::vector<std::string> changes = make_mesh(name, packings);
+  const std::string packing = make_packing(name, packings, changes);
+  changes.push_back(fmt::format("particles.0.file=\"{}\"", packing));
   for (const int t : threads) {
-    const SceneFigures f = measure_scene(name, packing, t, rounds);
+    const SceneFigures f = measure_scene(name, changes, t, rounds);
     fmt::print("{}", scene_text(f));
     figures.push_back(scene_json(f));
   }

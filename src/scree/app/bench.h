@@ -8,13 +8,13 @@
 namespace scree {
 
 struct BenchOptions {
-  std::vector<std::string> names;    // dense, dilute, linear; empty: dense and dilute
+  std::vector<std::string> names;    // dense, dilute, drum, silo, mix, linear; empty: dense and dilute
   int threads = 0;                   // 0: with one thread and with all
   int rounds = 0;                    // measurements of which the median counts; 0: 5, of linear 3
   std::int64_t particles = 1000000;  // linear: the largest size
   std::string json;                  // file for the figures; empty: none
   std::string plot;                  // linear: file for the picture (PNG; its figures beside it); empty: none
-  std::string packings;              // where the scenes' particles are kept; empty: the cache directory of the user
+  std::string packings;  // where the scenes' particles and meshes are kept; empty: the cache directory of the user
 };
 
 /// Runs the benchmarks and prints their figures. The particles of a scene are made when it is run for the first time.

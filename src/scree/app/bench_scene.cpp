@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "scree/app/bench_clock.h"
 #include "scree/app/bench_figures.h"
@@ -33,12 +32,12 @@ double copy_bandwidth(int threads) {
 
 }  // namespace
 
-SceneFigures measure_scene(const std::string& scene, const std::string& packing, int threads, int rounds) {
+SceneFigures measure_scene(const std::string& scene, const std::vector<std::string>& changes, int threads, int rounds) {
   const std::string path = (data_directory("bench") / (scene + ".toml")).string();
-  const Case c = load_case(path, {"particles.0.file=\"" + packing + "\""});
+  const Case c = load_case(path, changes);
   omp_set_num_threads(threads);
   Simulation simulation(c, threads);
-  const int warm = 50, steps = scene == "dense" ? 100 : 400;
+  const int warm = 50, steps = scene == "dilute" ? 400 : 100;
   for (int k = 0; k < warm; ++k) simulation.step();
   const std::int64_t contacts_before = simulation.tally().contacts;
   simulation.stages().clear();

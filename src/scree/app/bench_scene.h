@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "scree/base/stopwatch.h"
 
@@ -22,8 +23,8 @@ struct SceneFigures {
   StageSeconds stages;
 };
 
-/// Runs bench/SCENE.toml with the particles of the table `packing`, after steps that are not counted.
-SceneFigures measure_scene(const std::string& scene, const std::string& packing, int threads, int rounds);
+/// Runs bench/SCENE.toml with `changes` (as of load_case()), after steps that are not counted.
+SceneFigures measure_scene(const std::string& scene, const std::vector<std::string>& changes, int threads, int rounds);
 
 /// One line for people.
 std::string scene_text(const SceneFigures& figures);

@@ -33,18 +33,20 @@ std::string table_of(const FrameData& d) {
 
 }  // namespace
 
-std::string make_packing(const std::string& scene, const std::string& directory) {
+std::string make_packing(const std::string& scene, const std::string& directory,
+                         const std::vector<std::string>& changes) {
   const fs::path table = fs::path(directory) / (scene + ".csv");
   if (fs::exists(table)) return table.string();
   fs::create_directories(directory);
   std::fprintf(stderr, "making the particles of the scene '%s' once, for %s\n", scene.c_str(), table.c_str());
   const std::string path = (data_directory("bench") / ("make_" + scene + ".toml")).string();
+  const Case c = load_case(path, changes);
   RunOptions options;
   options.directory = (fs::path(directory) / ("make_" + scene)).string();
   options.force = true;
-  const RunResult result = run_case(load_case(path), options);
+  const RunResult result = run_case(c, options);
   if (result.status != Exit::success) throw PhysicsError("the packing could not be made: " + result.summary.reason);
-  Simulation last(load_case(path), available_processors());
+  Simulation last(c, available_processors());
   last.restore(read_archive(*newest_checkpoint(options.directory).path));
   write_text_file(table, table_of(frame_data(last.sample(), false)));
   return table.string();

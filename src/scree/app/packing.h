@@ -2,11 +2,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace scree {
 
-/// Path of the table of particles (CSV) of a scene in `directory`; makes it by running bench/make_SCENE.toml if it is
-/// not there yet, which takes a minute or two.
-std::string make_packing(const std::string& scene, const std::string& directory);
+/// Path of the table of particles (CSV) of a scene in `directory`; makes it by running bench/make_SCENE.toml with
+/// `changes` (as of load_case()) if it is not there yet, which takes some minutes.
+std::string make_packing(const std::string& scene, const std::string& directory,
+                         const std::vector<std::string>& changes);
 
 }  // namespace scree

@@ -22,6 +22,11 @@ namespace {
   return {force, turn * share[0], couple};
 }
 
+/// Angular impulse of uniform gravity on a free particle.
+[[gnu::always_inline]] inline sc_vec weight_turn(const SweepView& v, const sc_sphere_motion& before) {
+  return sc_cross(before.position, sc_scale(v.move.kick / before.inverse_mass, v.move.gravity));
+}
+
 /// Work and impulse of everything that is not a pair of free particles.
 inline void book(const SweepView& v, std::int64_t p, const sc_sphere_motion& before, const sc_sphere_load& walls,
                  const sc_sphere_load& all, const sc_sphere_moved& moved) {
@@ -37,10 +42,7 @@ inline void book(const SweepView& v, std::int64_t p, const sc_sphere_motion& bef
   const sc_vec outside = sc_add_scaled(fields, sign, load.force);
   const sc_vec torque = sc_add_scaled(load.couple, before.radius, load.turn);
   sc_vec turned = sc_add_scaled(sc_cross(before.position, outside), sign, torque);
-  if (v.book_gravity && free_body) {
-    const sc_vec weight = sc_scale(v.move.kick / before.inverse_mass, v.move.gravity);
-    turned = sc_add(turned, sc_cross(before.position, weight));
-  }
+  if (v.book_gravity && free_body) turned = sc_add(turned, weight_turn(v, before));
   impulse[0] += outside.x;
   impulse[1] += outside.y;
   impulse[2] += outside.z;
@@ -98,10 +100,13 @@ inline void book(const SweepView& v, std::int64_t p, const sc_sphere_motion& bef
 template <class Laws>
 [[gnu::noinline]] sc_sphere_moved move_among_others(const SweepView& v, std::int64_t p, const sc_sphere_motion& s,
                                                     Gathered& g, SweepFindings& findings) {
-  const Gathered walls = gather_walls<Laws>(v, p, findings);
-  g.force += walls.force;
-  g.turn += walls.turn;
-  g.couple += walls.couple;
+  Gathered walls{};
+  if (has_walls(v, p)) {
+    walls = gather_walls<Laws>(v, p, findings);
+    g.force += walls.force;
+    g.turn += walls.turn;
+    g.couple += walls.couple;
+  }
   const sc_sphere_load all = load_of(g);
   sc_move m = v.move;
   sc_field field{sc_zero_vec(), sc_zero_vec()};
@@ -115,8 +120,13 @@ template <class Laws>
 }
 
 /// The plain case, without a detour: contacts with particles and uniform gravity only.
-[[gnu::always_inline]] inline sc_sphere_motion move_freely(const SweepView& v, const sc_sphere_motion& s,
-                                                           const Gathered& g) {
+[[gnu::always_inline]] inline sc_sphere_motion move_freely(const SweepView& v, std::int64_t p,
+                                                           const sc_sphere_motion& s, const Gathered& g) {
+  if (v.book_gravity) {
+    double* angular = v.angular_impulse + 4 * p;
+    const sc_vec turned = weight_turn(v, s);
+    store4(angular, load4(angular) + lane4{turned.x, turned.y, turned.z, 0});
+  }
   sc_move m = v.move;
   m.drag = SC_DRAG_NONE;
   m.rotation = sc_zero_vec();
@@ -134,8 +144,8 @@ template <class Laws>
   s.radius = m[3];
   s.inverse_mass = m[7];
   s.inverse_radius = spin[3];
-  const bool alone = !v.others && v.walls.first[p] == v.walls.first[p + 1] && s.inverse_mass > 0;
-  const sc_sphere_motion q = alone ? move_freely(v, s, g) : move_among_others<Laws>(v, p, s, g, findings).motion;
+  const bool alone = !v.others && !has_walls(v, p) && s.inverse_mass > 0;
+  const sc_sphere_motion q = alone ? move_freely(v, p, s, g) : move_among_others<Laws>(v, p, s, g, findings).motion;
   if (v.force) store4(v.force + 4 * p, last_of(g.force, lane4{}));
   double x[4] = {q.position.x, q.position.y, q.position.z, s.radius};
   const bool inside = (x[0] >= v.low[0]) & (x[0] < v.high[0]) & (x[1] >= v.low[1]) & (x[1] < v.high[1]) &

@@ -71,7 +71,7 @@ struct SweepView {
   sc_move move;
   const sc_field* field;   // [n] or null: body acceleration and fluid velocity at each particle
   double* force;           // [n][4] or null: total contact force on each particle, written
-  bool others;             // fields, rotation of the frame, or an account of gravity: no particle moves freely
+  bool others;             // fields, or rotation of the frame: no particle moves freely
   bool book_gravity;       // book the angular impulse of uniform gravity (its work and impulse are known without)
   double low[3], high[3];  // the domain
 };

@@ -174,12 +174,15 @@ template <class Laws>
   v.walls.active[w] = contact_code(true, r.state.slid > 0);
 }
 
-/// All walls of particle p.
+[[gnu::always_inline]] inline bool has_walls(const SweepView& v, std::int64_t p) {
+  return v.walls.first[p] != v.walls.first[p + 1];
+}
+
+/// All walls of particle p, which has some.
 template <class Laws>
 [[gnu::noinline]] Gathered gather_walls(const SweepView& v, std::int64_t p, SweepFindings& findings) {
   Gathered g{};
   const AmongWalls a{v, p, v.walls.first[p], v.walls.first[p + 1]};
-  if (a.begin == a.end) return g;
   const sc_sphere_wall s = a.sphere();
   find_gaps(a, s);
   for (std::int32_t w = a.begin; w < a.end; ++w)

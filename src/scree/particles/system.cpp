@@ -222,7 +222,7 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
   const sc_vec& g = move.gravity;
   v.field = field;
   v.book_gravity = !s.domain.any_periodic() && (g.x != 0 || g.y != 0 || g.z != 0);
-  v.others = field || v.book_gravity || sc_dot(move.rotation, move.rotation) > 0;
+  v.others = field || sc_dot(move.rotation, move.rotation) > 0;
   return v;
 }
 

@@ -1,5 +1,7 @@
 #include "scree/particles/wall_contacts.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -28,12 +30,18 @@ WallContacts find_wall_contacts(const Particles& particles, const Walls& walls, 
   WallContacts out;
   out.first.resize(n + 1);
   if (walls.size() == 0) return out;
+  // Every thread searches for a run of particles; runs follow each other as their threads do.
+  std::vector<std::vector<std::int32_t>> found(omp_get_max_threads());
 #pragma omp parallel
   {
+    std::vector<std::int32_t>& mine = found[omp_get_thread_num()];
     std::vector<std::int32_t> scratch;
 #pragma omp for schedule(static)
     for (std::int64_t p = 0; p < n; ++p)
-      for_each_near(particles, p, walls, skin, scratch, [&](std::int32_t) { ++out.first[p + 1]; });
+      for_each_near(particles, p, walls, skin, scratch, [&](std::int32_t face) {
+        mine.push_back(face);
+        ++out.first[p + 1];
+      });
   }
   for (std::int64_t p = 0; p < n; ++p) out.first[p + 1] += out.first[p];
   const std::size_t count = out.first[n];
@@ -42,15 +50,8 @@ WallContacts find_wall_contacts(const Particles& particles, const Walls& walls, 
   out.slide.resize(4 * count);
   out.roll.resize(4 * count);
   out.gap.resize(count);
-#pragma omp parallel
-  {
-    std::vector<std::int32_t> scratch;
-#pragma omp for schedule(static)
-    for (std::int64_t p = 0; p < n; ++p) {
-      std::int32_t next = out.first[p];
-      for_each_near(particles, p, walls, skin, scratch, [&](std::int32_t face) { out.wall[next++] = face; });
-    }
-  }
+  std::int32_t* next = out.wall.begin();
+  for (const std::vector<std::int32_t>& run : found) next = std::copy(run.begin(), run.end(), next);
   return out;
 }
 
