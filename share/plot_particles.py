@@ -1,5 +1,6 @@
 """The particles of one frame as a picture, coloured by agglomerate where there are any, else by speed."""
 
+import pathlib
 import sys
 
 import h5py
@@ -10,6 +11,7 @@ from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize
 from matplotlib.patches import Patch
 
 import spheres
+import walls
 from plot_style import INK, si_scale
 
 DPI = 150
@@ -47,11 +49,15 @@ def colour_by_speed(frame):
     return colour_map(norm(factor * speed))[:, :3], ScalarMappable(norm, colour_map), f"speed [{unit}]"
 
 
-def frame_box(frame):
-    """The box to look at, and whether it is the domain: a few particles in a large domain are looked at alone."""
+def frame_box(frame, surface):
+    """The box to look at, and whether it is the domain: a few particles in a large domain are looked at alone, or with
+    the walls in it."""
     radius = 0.5 * frame["diameter"][:, None]
     low, high = (frame["position"] - radius).min(axis=0), (frame["position"] + radius).max(axis=0)
     domain = frame["domain_min"], frame["domain_max"]
+    if surface is not None:
+        points = np.clip(surface[0], *domain)
+        low, high = np.minimum(low, points.min(axis=0)), np.maximum(high, points.max(axis=0))
     if np.max(domain[1] - domain[0]) <= 2.5 * np.max(high - low):
         return *domain, True
     return low, high, False
@@ -105,17 +111,20 @@ def draw(frame_path, picture_path, pixels=2400):
               file=sys.stderr)
         return None
     colours, scale, label = (colour_by_agglomerate if with_agglomerates else colour_by_speed)(frame)
-    low, high, is_domain = frame_box(frame)
+    surface = walls.read_walls(pathlib.Path(frame_path))
+    low, high, is_domain = frame_box(frame, surface)
     camera = spheres.Camera(low, high, *view_angles(low, high), pixels)
     radius = 0.5 * frame["diameter"]
-    image = spheres.shade(camera, frame["position"], radius, colours, floor=(low, high) if is_domain else None)
+    image, depth = spheres.shade(camera, frame["position"], radius, colours, floor=(low, high) if is_domain else None)
 
     inches = np.array(image.shape[1::-1]) / DPI
     width, height = max(inches[0] + 1.25, 5.0), inches[1] + 0.5
     figure = plt.figure(figsize=(width, height), dpi=DPI)
     axes = figure.add_axes([0, 0, inches[0] / width, inches[1] / height])
     axes.imshow(image, extent=(0, image.shape[1], 0, image.shape[0]), zorder=2)
-    if is_domain:
+    if surface is not None:
+        walls.draw_walls(axes, camera, depth, surface)
+    elif is_domain:
         draw_edges(axes, camera, low, high, front=False)
         draw_edges(axes, camera, low, high, front=True)
     axes.set(xlim=(0, image.shape[1]), ylim=(0, image.shape[0]))

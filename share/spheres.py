@@ -131,7 +131,7 @@ class ShadowMap:
 
 
 def shade(camera, points, radius, colours, floor=None):
-    """A picture of the spheres as RGBA in [0, 1], row 0 at the top.
+    """A picture of the spheres as RGBA in [0, 1] and the depth of what is seen, infinite where nothing is; row 0 at the top.
 
     `floor`: corners (low, high) of a box on whose bottom the shadows fall, or None.
     """
@@ -177,7 +177,7 @@ def shade(camera, points, radius, colours, floor=None):
     picture[rows, columns, 3] = 1
     if floor is not None:
         draw_floor(picture, camera, map_of_light, floor, typical)
-    return halved(picture)[::-1]
+    return halved(picture)[::-1], buffer[1::2, 1::2][::-1]
 
 
 def draw_floor(picture, camera, map_of_light, floor, typical):

@@ -7,6 +7,7 @@
 #include "scree/analysis/measure.h"
 #include "scree/app/columns.h"
 #include "scree/app/frame_fields.h"
+#include "scree/app/wall_surface.h"
 #include "scree/input/record.h"
 
 namespace scree {
@@ -54,6 +55,7 @@ Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& cloc
     if (!c.output.tracks.empty()) tracks_.emplace(SeriesWriter::resume(directory.tracks(), track_columns(), now));
     if (agglomerates) sizes_.emplace(SeriesWriter::resume(directory.path() / "agglomerates.csv", size_columns(), now));
     frames_.emplace(FrameWriter::resume(directory.path(), domain, program_name(), now, compression_of(c.output)));
+    if (!c.walls.empty()) surfaces_.emplace(SurfaceWriter::resume(directory.path(), now));
     books_ = books_from_numbers(archive->get<double>("books"));
     impacts_ = archive->integer("impacts_at_row");
     impact_speed_ = archive->integer("impact_speed_at_row");
@@ -65,6 +67,7 @@ Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& cloc
     if (!c.output.tracks.empty()) tracks_.emplace(SeriesWriter::create(directory.tracks(), track_columns()));
     if (agglomerates) sizes_.emplace(SeriesWriter::create(directory.path() / "agglomerates.csv", size_columns()));
     frames_.emplace(FrameWriter::create(directory.path(), domain, program_name(), compression_of(c.output)));
+    if (!c.walls.empty()) surfaces_.emplace(SurfaceWriter::create(directory.path()));
   }
   row_due_ = first_due(series_interval_, clock.step, clock.dt);
   frame_due_ = c.output.frames > 0 ? first_due(c.output.frames, clock.step, clock.dt) : (clock.step == 0 ? 0 : never);
@@ -154,6 +157,8 @@ void Outputs::write_frame(Simulation& simulation) {
   const Sample& sample = simulation.sample();
   const Stopwatch watch(simulation.stages(), "output");
   const FrameData data = frame_data(sample, case_.analysis.agglomerates);
+  if (surfaces_)
+    surfaces_->write(clock.now(), frames_->count(), wall_surface(simulation.system().walls, sample.system.domain));
   frames_->write(clock.now(), static_cast<std::uint64_t>(clock.step), frame_columns(data, case_.output));
   frame_step_ = clock.step;
 }

@@ -13,6 +13,7 @@
 #include "scree/output/frames.h"
 #include "scree/output/run_directory.h"
 #include "scree/output/series.h"
+#include "scree/output/surface.h"
 
 namespace scree {
 
@@ -68,6 +69,7 @@ class Outputs {
   double series_interval_;
   std::optional<SeriesWriter> series_, tracks_, sizes_;
   std::optional<FrameWriter> frames_;
+  std::optional<SurfaceWriter> surfaces_;
   std::int64_t row_due_ = 0, frame_due_ = 0, checkpoint_due_ = 0, books_due_ = 0;
   std::int64_t row_step_ = -1, frame_step_ = -1, checkpoint_step_ = -1;
   std::optional<Books> books_;

@@ -22,10 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array own_files = {"case.toml",  "fields.xdmf",      "series.csv",
+constexpr std::array own_files = {"case.toml",  "fields.xdmf",      "walls.xdmf",  "series.csv",
                                   "tracks.csv", "agglomerates.csv", "summary.json"};
-constexpr std::array<std::pair<const char*, NumberedFiles>, 2> own_folders = {
-    {{"frames", frame_files}, {"checkpoints", checkpoint_files}}};
+constexpr std::array<std::pair<const char*, NumberedFiles>, 3> own_folders = {
+    {{"frames", frame_files}, {"frames", wall_files}, {"checkpoints", checkpoint_files}}};
 
 void make_directory(const fs::path& path) {
   std::error_code error;

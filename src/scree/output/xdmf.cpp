@@ -12,11 +12,17 @@ const char* number_type(Element element) {
   return element == Element::uint32 || element == Element::uint64 ? "UInt" : "Int";
 }
 
-/// A reference to a dataset of the frame's file with one row per point.
-std::string data_item(const XdmfFrame& frame, const std::string& dataset, Element element, std::uint64_t components) {
+/// A reference to a dataset of a file.
+std::string data_item(const std::string& file, const std::string& dataset, Element element, std::uint64_t rows,
+                      std::uint64_t components) {
   const std::string columns = components == 1 ? "" : fmt::format(" {}", components);
   return fmt::format(R"(<DataItem Format="HDF" NumberType="{}" Precision="{}" Dimensions="{}{}">{}:{}</DataItem>)",
-                     number_type(element), element_size(element), frame.points, columns, frame.file, dataset);
+                     number_type(element), element_size(element), rows, columns, file, dataset);
+}
+
+/// A reference to a dataset of the frame's file with one row per point.
+std::string data_item(const XdmfFrame& frame, const std::string& dataset, Element element, std::uint64_t components) {
+  return data_item(frame.file, dataset, element, frame.points, components);
 }
 
 const char* attribute_type(std::uint64_t components) {
@@ -48,6 +54,16 @@ std::string xdmf_grid(const XdmfFrame& frame) {
                           field.name, attribute_type(field.components), item);
   }
   return text + "   </Grid>\n";
+}
+
+std::string xdmf_surface(const std::string& file, double time, std::uint64_t points, std::uint64_t triangles) {
+  return fmt::format(
+      "   <Grid Name=\"walls\" GridType=\"Uniform\">\n    <Time Value=\"{}\"/>\n"
+      "    <Topology TopologyType=\"Triangle\" NumberOfElements=\"{}\">{}</Topology>\n"
+      "    <Geometry GeometryType=\"XYZ\">{}</Geometry>\n"
+      "    <Attribute Name=\"wall\" AttributeType=\"Scalar\" Center=\"Cell\">{}</Attribute>\n   </Grid>\n",
+      time, triangles, data_item(file, "/triangles", Element::int32, triangles, 3),
+      data_item(file, "/points", Element::float64, points, 3), data_item(file, "/wall", Element::int32, triangles, 1));
 }
 
 std::string xdmf_document(const std::string& grids) {

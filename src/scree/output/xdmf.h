@@ -27,6 +27,9 @@ struct XdmfFrame {
 /// The element for one frame: a cloud of points at one time, each other field an attribute of its points.
 std::string xdmf_grid(const XdmfFrame& frame);
 
+/// The element for the walls at the time of one frame [s]: triangles, with the number of their wall.
+std::string xdmf_surface(const std::string& file, double time, std::uint64_t points, std::uint64_t triangles);
+
 /// The whole document: a temporal collection of the given grids, one after the other.
 std::string xdmf_document(const std::string& grids);
 

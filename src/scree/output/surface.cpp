@@ -1,0 +1,110 @@
+#include "scree/output/surface.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+#include "scree/base/atomic_file.h"
+#include "scree/output/hdf5_file.h"
+#include "scree/output/numbered_file.h"
+#include "scree/output/xdmf.h"
+
+namespace scree {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view grid_begin = "   <Grid Name=\"walls\"", grid_end = "   </Grid>\n";
+constexpr std::string_view points_end = ":/points";
+
+template <class T>
+std::vector<T> read_rows(const Hdf5File& file, const std::string& name) {
+  const Shape shape = file.shape(name);
+  std::vector<T> values(shape.rows * shape.columns);
+  file.read(name, shape, values.data());
+  return values;
+}
+
+Surface read_surface(const fs::path& path) {
+  const Hdf5File file = Hdf5File::open(path);
+  return {read_rows<double>(file, "/points"), read_rows<std::int32_t>(file, "/triangles"),
+          read_rows<std::int32_t>(file, "/wall")};
+}
+
+void write_dataset(Hdf5File& file, const std::string& name, const ArrayView& values, Storage storage,
+                   std::string_view unit, std::string_view meaning) {
+  file.write(name, values, storage);
+  file.set_attribute(name, "units", unit);
+  file.set_attribute(name, "meaning", meaning);
+}
+
+void write_surface(const fs::path& path, double time, const Surface& surface) {
+  write_atomically(path, [&](const fs::path& temporary) {
+    Hdf5File file = Hdf5File::create(temporary);
+    const std::size_t count = surface.wall.size();
+    file.set_attribute("/", "format", "scree walls");
+    file.set_attribute("/", "time", array_view(&time, 1));
+    file.set_attribute("/", "time_units", "s");
+    write_dataset(file, "/points", array_view(surface.points.data(), surface.points.size() / 3, 3), Storage::plain, "m",
+                  "corners of the triangles");
+    write_dataset(file, "/triangles", array_view(surface.triangles.data(), count, 3), Storage::compressed, "1",
+                  "three corners each, as rows of /points");
+    write_dataset(file, "/wall", array_view(surface.wall.data(), count), Storage::compressed, "1",
+                  "wall of each triangle, an index into the walls of the case");
+    file.close();
+  });
+}
+
+/// The time that the text of a grid names [s].
+double time_of(std::string_view grid) {
+  constexpr std::string_view label = "<Time Value=\"";
+  const std::size_t at = grid.find(label);
+  return at == std::string_view::npos ? 0 : std::stod(std::string(grid.substr(at + label.size())));
+}
+
+/// The file of the surface that the text of a grid names.
+std::string file_of(std::string_view grid) {
+  const std::size_t end = grid.find(points_end);
+  if (end == std::string_view::npos) return {};
+  const std::size_t begin = grid.rfind('>', end) + 1;
+  return std::string(grid.substr(begin, end - begin));
+}
+
+}  // namespace
+
+SurfaceWriter SurfaceWriter::create(const fs::path& directory) { return SurfaceWriter(directory); }
+
+SurfaceWriter SurfaceWriter::resume(const fs::path& directory, double last_time) {
+  SurfaceWriter writer(directory);
+  const std::string text =
+      fs::exists(directory / "walls.xdmf") ? read_text_file(directory / "walls.xdmf") : std::string();
+  std::size_t end = 0;
+  for (std::size_t begin = text.find(grid_begin); begin != std::string::npos; begin = text.find(grid_begin, end)) {
+    end = text.find(grid_end, begin) + grid_end.size();
+    const std::string grid = text.substr(begin, end - begin);
+    if (time_of(grid) > last_time) break;
+    writer.grids_ += grid;
+    writer.file_ = file_of(grid);
+  }
+  if (!writer.file_.empty()) writer.last_ = read_surface(directory / writer.file_);
+  // First the list, then the files: at no moment does it name a file that is gone.
+  if (!text.empty()) writer.write_list();
+  for (const auto& [number, path] : list_numbered(wall_files, directory / "frames"))
+    if (writer.file_.empty() || path.filename() > fs::path(writer.file_).filename()) fs::remove(path);
+  return writer;
+}
+
+void SurfaceWriter::write(double time, std::uint64_t frame, const Surface& surface) {
+  if (file_.empty() || surface != last_) {
+    file_ = "frames/" + numbered_name(wall_files, frame);
+    write_surface(directory_ / file_, time, surface);
+    last_ = surface;
+  }
+  grids_ += xdmf_surface(file_, time, surface.points.size() / 3, surface.wall.size());
+  write_list();
+}
+
+void SurfaceWriter::write_list() const { write_text_file(directory_ / "walls.xdmf", xdmf_document(grids_)); }
+
+}  // namespace scree
