@@ -8,6 +8,8 @@
 
 #include "scree/analysis/agglomerate_summary.h"
 #include "scree/analysis/ledger.h"
+#include "scree/app/due.h"
+#include "scree/app/measures.h"
 #include "scree/app/simulation.h"
 #include "scree/app/sticking.h"
 #include "scree/output/frames.h"
@@ -15,9 +17,6 @@
 #include "scree/output/series.h"
 
 namespace scree {
-
-/// The first step after `step` at which something is due that is written every `interval` seconds.
-std::int64_t next_due(std::int64_t step, double interval, double dt);
 
 class Outputs {
  public:
@@ -67,7 +66,8 @@ class Outputs {
   const RunDirectory& directory_;
   double series_interval_;
   std::optional<SeriesWriter> series_, tracks_, sizes_;
-  std::optional<FrameWriter> frames_;
+  std::optional<FrameWriter> frames_, contacts_;
+  Measures measures_;
   std::int64_t row_due_ = 0, frame_due_ = 0, checkpoint_due_ = 0, books_due_ = 0;
   std::int64_t row_step_ = -1, frame_step_ = -1, checkpoint_step_ = -1;
   std::optional<Books> books_;
