@@ -158,10 +158,7 @@ std::string Simulation::state_hash() const {
   const double time = clock_.now();
   add(&time, 1);
   const Particles& p = system_.particles;
-  std::vector<std::uint32_t> order(p.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return p.id[a] < p.id[b]; });
-  for (const std::uint32_t i : order) {
+  for (const std::uint32_t i : order_by_id(p)) {
     hash.update(&p.id[i], sizeof p.id[i]);
     add(p.motion.row(i), 8);
     add(p.spin.row(i), 4);

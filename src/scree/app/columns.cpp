@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "scree/app/build_exchange.h"
+#include "scree/app/measures.h"
 #include "scree/base/version.h"
 
 namespace scree {
@@ -15,13 +15,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 double whole(std::int64_t n) { return static_cast<double>(n); }
 
 }  // namespace
-
-std::vector<std::uint32_t> order_by_id(const Particles& p) {
-  std::vector<std::uint32_t> order(p.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return p.id[a] < p.id[b]; });
-  return order;
-}
 
 std::string program_name() { return std::string("scree ") + version; }
 
@@ -72,6 +65,8 @@ std::vector<std::string> series_columns(const Case& c) {
   for (const WallKeys& wall : c.walls)
     for (const char* quantity : {"force", "torque"})
       for (const char axis : {'x', 'y', 'z'}) names.push_back(wall.name + "_" + quantity + "_" + axis);
+  const std::vector<std::string> measures = measure_columns(c);
+  names.insert(names.end(), measures.begin(), measures.end());
   return names;
 }
 
@@ -128,6 +123,7 @@ std::vector<double> values_of(const SeriesRow& r) {
     v.insert(v.end(), load.force.begin(), load.force.end());
     v.insert(v.end(), load.torque.begin(), load.torque.end());
   }
+  v.insert(v.end(), r.measures.begin(), r.measures.end());
   return v;
 }
 

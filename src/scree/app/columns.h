@@ -43,10 +43,8 @@ struct SeriesRow {
   std::optional<PassedRow> passed;
   std::optional<AgglomerateSummary> agglomerates;
   std::vector<WallLoad> wall_loads;
+  std::vector<double> measures;  // of planes and surfaces
 };
-
-/// The places of the particles in the order of their ids.
-std::vector<std::uint32_t> order_by_id(const Particles& p);
 
 /// The columns that a run of the case writes.
 std::vector<std::string> series_columns(const Case& c);

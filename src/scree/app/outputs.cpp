@@ -6,6 +6,7 @@
 
 #include "scree/analysis/measure.h"
 #include "scree/app/columns.h"
+#include "scree/app/contact_fields.h"
 #include "scree/app/frame_fields.h"
 #include "scree/app/wall_surface.h"
 #include "scree/input/record.h"
@@ -34,18 +35,8 @@ std::int64_t first_due(double interval, std::int64_t step, double dt) {
 
 }  // namespace
 
-std::int64_t next_due(std::int64_t step, double interval, double dt) {
-  if (interval <= 0) return never;
-  // A step that falls on an instant up to rounding belongs to it; a billion steps round by less than this many steps.
-  const double hair = 1e-5, steps = interval / dt;
-  double instant = std::floor((static_cast<double>(step) + hair) / steps) + 1;
-  std::int64_t due = static_cast<std::int64_t>(std::ceil(instant * steps - hair));
-  while (due <= step) due = static_cast<std::int64_t>(std::ceil(++instant * steps - hair));
-  return due;
-}
-
 Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& clock, const Archive* archive)
-    : case_(c), record_(case_record(c)), directory_(directory) {
+    : case_(c), record_(case_record(c)), directory_(directory), measures_(c, clock, directory.path(), archive) {
   series_interval_ = c.output.series > 0 ? c.output.series : c.simulation.end / 200;
   const bool agglomerates = c.analysis.agglomerates;
   const Domain domain = build_domain(c);
@@ -56,6 +47,9 @@ Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& cloc
     if (agglomerates) sizes_.emplace(SeriesWriter::resume(directory.path() / "agglomerates.csv", size_columns(), now));
     frames_.emplace(FrameWriter::resume(directory.path(), domain, program_name(), now, compression_of(c.output)));
     if (!c.walls.empty()) surfaces_.emplace(SurfaceWriter::resume(directory.path(), now));
+    if (c.output.contacts)
+      contacts_.emplace(
+          FrameWriter::resume(directory.path(), domain, program_name(), now, compression_of(c.output), contact_frames));
     books_ = books_from_numbers(archive->get<double>("books"));
     impacts_ = archive->integer("impacts_at_row");
     impact_speed_ = archive->integer("impact_speed_at_row");
@@ -68,6 +62,9 @@ Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& cloc
     if (agglomerates) sizes_.emplace(SeriesWriter::create(directory.path() / "agglomerates.csv", size_columns()));
     frames_.emplace(FrameWriter::create(directory.path(), domain, program_name(), compression_of(c.output)));
     if (!c.walls.empty()) surfaces_.emplace(SurfaceWriter::create(directory.path()));
+    if (c.output.contacts)
+      contacts_.emplace(
+          FrameWriter::create(directory.path(), domain, program_name(), compression_of(c.output), contact_frames));
   }
   row_due_ = first_due(series_interval_, clock.step, clock.dt);
   frame_due_ = c.output.frames > 0 ? first_due(c.output.frames, clock.step, clock.dt) : (clock.step == 0 ? 0 : never);
@@ -75,6 +72,7 @@ Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& cloc
 }
 
 void Outputs::write_due(Simulation& simulation) {
+  measures_.look(simulation);
   const Clock& clock = simulation.clock();
   const std::int64_t every = static_cast<std::int64_t>(case_.ledger.every);
   if (clock.step >= row_due_)
@@ -143,6 +141,7 @@ void Outputs::append_row(Simulation& simulation) {
     const double wanted = case_.analysis.stop_agglomerated;
     agglomerated_ = wanted > 0 && row.agglomerates->agglomerated_fraction > wanted;
   }
+  row.measures = measures_.row(sample, row.time);
   series_->append(values_of(row));
   if (tracks_) tracks_->append(track_rows(sample, case_.output.tracks, row.time));
   row_step_ = clock.step;
@@ -160,6 +159,7 @@ void Outputs::write_frame(Simulation& simulation) {
   if (surfaces_)
     surfaces_->write(clock.now(), frames_->count(), wall_surface(simulation.system().walls, sample.system.domain));
   frames_->write(clock.now(), static_cast<std::uint64_t>(clock.step), frame_columns(data, case_.output));
+  if (contacts_) contacts_->write(clock.now(), static_cast<std::uint64_t>(clock.step), contact_columns(sample));
   frame_step_ = clock.step;
 }
 
@@ -169,6 +169,7 @@ void Outputs::save_books(Archive& archive) const {
   archive.set("impact_speed_at_row", impact_speed_);
   archive.set("row_step", row_step_);
   archive.set("frame_step", frame_step_);
+  measures_.save(archive);
   archive.set("version", program_name());
   archive.set("case", record_);
 }
@@ -212,6 +213,7 @@ void Outputs::finish(Simulation& simulation) {
   // A row that is not due is no entry in the books: a run that continues from here would otherwise differ by it.
   if (row_step_ != simulation.clock().step) append_row(simulation);
   write_frame(simulation);
+  measures_.finish();
   write_checkpoint(simulation);
 }
 

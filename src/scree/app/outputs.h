@@ -8,17 +8,16 @@
 
 #include "scree/analysis/agglomerate_summary.h"
 #include "scree/analysis/ledger.h"
+#include "scree/app/due.h"
+#include "scree/app/measures.h"
 #include "scree/app/simulation.h"
 #include "scree/app/sticking.h"
 #include "scree/output/frames.h"
 #include "scree/output/run_directory.h"
 #include "scree/output/series.h"
-#include "scree/output/surface.h"
+#include "scree/output/wall_surface.h"
 
 namespace scree {
-
-/// The first step after `step` at which something is due that is written every `interval` seconds.
-std::int64_t next_due(std::int64_t step, double interval, double dt);
 
 class Outputs {
  public:
@@ -68,8 +67,9 @@ class Outputs {
   const RunDirectory& directory_;
   double series_interval_;
   std::optional<SeriesWriter> series_, tracks_, sizes_;
-  std::optional<FrameWriter> frames_;
+  std::optional<FrameWriter> frames_, contacts_;
   std::optional<SurfaceWriter> surfaces_;
+  Measures measures_;
   std::int64_t row_due_ = 0, frame_due_ = 0, checkpoint_due_ = 0, books_due_ = 0;
   std::int64_t row_step_ = -1, frame_step_ = -1, checkpoint_step_ = -1;
   std::optional<Books> books_;

@@ -17,9 +17,6 @@
 namespace scree {
 namespace {
 
-/// Steps until `end`; an end that falls on a step up to rounding is reached by it.
-std::int64_t steps_until(double end, double dt) { return static_cast<std::int64_t>(std::ceil(end / dt - 1e-5)); }
-
 std::vector<std::pair<std::string, double>> ledger_of(const Outputs& outputs) {
   const Measured m = outputs.measured();
   const LedgerRow& row = outputs.balance();
@@ -191,7 +188,7 @@ RunResult run_case(const Case& c, const RunOptions& options) {
 
   RunResult result;
   result.summary = begin_summary(c, simulation.clock(), end);
-  RunLoop run{simulation, outputs, WallLimit(begin, options.wall_time), steps_until(end, simulation.clock().dt)};
+  RunLoop run{simulation, outputs, WallLimit(begin, options.wall_time), step_at(end, simulation.clock().dt)};
   std::optional<Progress> progress;
   if (!options.quiet) progress.emplace(detect_progress(stderr), simulation.clock().now(), end);
   const InterruptGuard interrupt;

@@ -25,6 +25,7 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed)
   const std::vector<BodyKind> kinds = body_kinds(c, saved ? &*saved : nullptr);
   clock_.dt = resumed && takes_over(c) ? resumed->number("time_step") : time_step_of(c, system_.materials, kinds);
   typical_impact_ = scree::typical_impact(c, system_.materials, kinds);
+  sample_.with_contact_forces = c.output.contacts || !c.analysis.averages.empty();
 }
 
 // The table of contents of the program: what happens in a step, in order.

@@ -58,7 +58,7 @@ Polygon plane_in(const Domain& domain, const sc_vec& point, const sc_vec& normal
 /// Collects the polygons of one wall.
 class Collector {
  public:
-  Collector(Surface& out, const sc_wall_pose& pose, int wall) : out_(out), pose_(pose), wall_(wall) {}
+  Collector(WallSurface& out, const sc_wall_pose& pose, int wall) : out_(out), pose_(pose), wall_(wall) {}
 
   /// A convex polygon of the wall at home.
   void add_at_home(const Polygon& polygon) {
@@ -83,7 +83,7 @@ class Collector {
   sc_vec turned(const sc_vec& direction) const { return pose_.moves ? sc_turn(pose_.turn, direction) : direction; }
 
  private:
-  Surface& out_;
+  WallSurface& out_;
   const sc_wall_pose& pose_;
   int wall_;
 };
@@ -125,8 +125,8 @@ void add_frustum(Collector& out, const sc_wall& face) {
 
 }  // namespace
 
-Surface wall_surface(const Walls& walls, const Domain& domain) {
-  Surface surface;
+WallSurface wall_surface(const Walls& walls, const Domain& domain) {
+  WallSurface surface;
   for (const sc_wall& face : walls.faces) {
     const sc_wall_pose& pose = walls.poses[static_cast<std::size_t>(face.body)];
     if (!pose.present) continue;

@@ -3,11 +3,11 @@
 
 #include "scree/data/domain.h"
 #include "scree/data/walls.h"
-#include "scree/output/surface.h"
+#include "scree/output/wall_surface.h"
 
 namespace scree {
 
 /// Every wall that is there now: planes as far as the domain goes, round faces in 64 parts.
-Surface wall_surface(const Walls& walls, const Domain& domain);
+WallSurface wall_surface(const Walls& walls, const Domain& domain);
 
 }  // namespace scree

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 
 namespace scree {
 
@@ -51,6 +52,14 @@ std::size_t Particles::bytes_per_particle() {
   SCREE_PARTICLE_FIELDS(FIELD)
 #undef FIELD
   return bytes;
+}
+
+std::vector<std::uint32_t> order_by_id(const Particles& particles) {
+  std::vector<std::uint32_t> order(particles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return particles.id[a] < particles.id[b]; });
+  return order;
 }
 
 }  // namespace scree

@@ -84,4 +84,7 @@ class Particles {
   std::size_t size_ = 0;
 };
 
+/// The places of all particles in the order of their ids.
+std::vector<std::uint32_t> order_by_id(const Particles& particles);
+
 }  // namespace scree

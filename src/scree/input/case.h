@@ -184,6 +184,7 @@ struct OutputKeys {
   std::vector<std::string> fields;            // of the particles in frames; empty: the usual ones
   std::string precision = "double";           // of the floating-point fields in frames: double, single
   std::string compression = "whole_numbers";  // of frames: whole_numbers, none, fast, small
+  bool contacts = false;                      // a file of contacts with every frame
 };
 
 struct LedgerKeys {
@@ -192,9 +193,39 @@ struct LedgerKeys {
   std::vector<std::string> omit;  // channels left out of the books on purpose, to see that the check bites
 };
 
+/// A plane, or a part of it, at which the particles that pass are counted.
+struct PlaneKeys {
+  std::string name;
+  Vec3 point{}, normal{};        // any length of the normal [m]
+  std::optional<double> radius;  // of a disc about the point; empty: no limit [m]
+  Vec3 min{}, max{};             // default: the domain [m]
+};
+
+/// Averages over space and time on a regular grid.
+struct AverageKeys {
+  std::string name;
+  Vec3 min{}, max{};                 // default: the domain [m]
+  std::vector<std::uint64_t> cells;  // along x, y, z
+  double from = 0;                   // of the first sample [s]
+  double every = 0;                  // between samples [s]
+  double window = 0;                 // over which samples are averaged; 0: to the end [s]
+};
+
+/// The free surface of a bed.
+struct SurfaceKeys {
+  std::string name;
+  Vec3 min{}, max{};                 // default: the domain [m]
+  std::vector<std::uint64_t> cells;  // along x, y, z
+  std::string up = "z";              // x, y, z, -x, -y, -z
+  double solid_fraction = 0.3;       // of a cell that belongs to the bed
+};
+
 struct AnalysisKeys {
   bool agglomerates = false;
   double stop_agglomerated = 0;  // ends the run when this fraction of the particles is in agglomerates; 0: never
+  std::vector<PlaneKeys> planes;
+  std::vector<AverageKeys> averages;
+  std::vector<SurfaceKeys> surfaces;
 };
 
 /// A run of a verification case with some keys changed.

@@ -36,6 +36,7 @@ void check_particles(const Check& check);  // sizes, insertion, flow
 void check_fields(const Check& check);     // flows and body forces on periodic axes
 void check_output(const Check& check);     // fields of the frames
 void check_exchange(const Check& check);   // particles that come and go: rates, outlets
+void check_analysis(const Check& check);   // planes, averages, surfaces
 void check_verify(const Check& check);     // variants and expectations
 
 }  // namespace scree

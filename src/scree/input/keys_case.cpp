@@ -104,7 +104,8 @@ const Section& output_section() {
            .one_of({"double", "single"}),
        key("compression", &S::compression,
            "of the frames: whole numbers only, which costs nothing; none; everything, fast or as small as it gets")
-           .one_of({"whole_numbers", "none", "fast", "small"})},
+           .one_of({"whole_numbers", "none", "fast", "small"}),
+       key("contacts", &S::contacts, "whether every frame comes with a file of all contacts and their forces")},
       [] { return std::make_shared<S>(); },
       true};
   return section;
@@ -126,23 +127,6 @@ const Section& ledger_section() {
            .one_of({"normal", "sliding", "rolling", "drag", "body", "prescribed", "walls", "inserted", "removed",
                     "momentum_impulse", "angular_impulse"})},
       [] { return std::make_shared<S>(); }};
-  return section;
-}
-
-const Section& analysis_section() {
-  using S = AnalysisKeys;
-  static const Section section = {"analysis",
-                                  "[analysis]",
-                                  "What is measured while the run goes on.",
-                                  {key("agglomerates", &S::agglomerates,
-                                       "whether agglomerates (particles connected by contact or effect distance) are "
-                                       "found, at every row of the series"),
-                                   key("stop_agglomerated", &S::stop_agglomerated,
-                                       "ends the run when this fraction of the particles is in agglomerates; 0: never")
-                                       .between(0, 1)
-                                       .only_with("agglomerates", {"true"})},
-                                  [] { return std::make_shared<S>(); },
-                                  true};
   return section;
 }
 

@@ -33,6 +33,18 @@ std::string beside_case(const Case& c, const std::string& file) {
   return std::filesystem::absolute(base / file, ignored).lexically_normal().string();
 }
 
+/// Names by number, and the whole domain where no box is given.
+template <class Keys>
+void complete_measures(std::vector<Keys>& list, const char* table, const char* name, const DomainKeys& domain,
+                       const Origins& origins) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string path = item_path(table, i);
+    if (!origins.given(path + ".name")) list[i].name = fmt::format("{}{}", name, i);
+    if (!origins.given(path + ".min")) list[i].min = domain.min;
+    if (!origins.given(path + ".max")) list[i].max = domain.max;
+  }
+}
+
 /// Defaults that are not constants: names by number, the whole domain as region, absolute file names, a tangential law
 /// that fits the normal one.
 void complete(Case& c, const Origins& origins) {
@@ -53,6 +65,9 @@ void complete(Case& c, const Origins& origins) {
   }
   for (std::size_t i = 0; i < c.outlets.size(); ++i)
     if (!origins.given(item_path("outlets", i) + ".name")) c.outlets[i].name = fmt::format("outlet{}", i);
+  complete_measures(c.analysis.planes, "analysis.planes", "plane", c.domain, origins);
+  complete_measures(c.analysis.averages, "analysis.averages", "average", c.domain, origins);
+  complete_measures(c.analysis.surfaces, "analysis.surfaces", "surface", c.domain, origins);
 }
 
 Outcome evaluate(Table root, const std::string& path, const std::vector<std::string>& overrides) {
@@ -70,6 +85,7 @@ Outcome evaluate(Table root, const std::string& path, const std::vector<std::str
   check_fields(check);
   check_output(check);
   check_exchange(check);
+  check_analysis(check);
   check_verify(check);
   return result;
 }

@@ -21,14 +21,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view frame_format = "scree frame";
 constexpr std::int64_t format_version = 1;
 
-std::string path_in_directory(std::uint64_t number) { return "frames/" + numbered_name(frame_files, number); }
+std::string path_in_directory(const FrameKind& kind, std::uint64_t number) {
+  return fmt::format("{}/{}", kind.folder, numbered_name(kind.files, number));
+}
 
 void write_header(Hdf5File& file, const Domain& domain, const std::string& program, double time, std::uint64_t step) {
   const std::array<std::uint8_t, 3> periodic = {domain.periodic[0], domain.periodic[1], domain.periodic[2]};
-  file.set_attribute("/", "format", frame_format);
   file.set_attribute("/", "format_version", array_view(&format_version, 1));
   file.set_attribute("/", "program", program);
   file.set_attribute("/", "time", array_view(&time, 1));
@@ -54,27 +54,29 @@ Storage storage_for(Element element, Compression compression) {
   return is_floating(element) ? Storage::plain : Storage::compressed;
 }
 
-/// One vertex cell per particle. ParaView's XDMF 3 reader makes no cells without such a list, and a cloud without cells
+/// One vertex cell per point. ParaView's XDMF 3 reader makes no cells without such a list, and a cloud without cells
 /// is invisible until glyphs are chosen and cannot be filtered.
 void write_vertices(Hdf5File& file, std::uint64_t points, Compression compression) {
   std::vector<std::int32_t> vertices(points);
   std::iota(vertices.begin(), vertices.end(), 0);
   file.write("/vertices", array_view(vertices.data(), points), storage_for(Element::int32, compression));
   file.set_attribute("/vertices", "units", "1");
-  file.set_attribute("/vertices", "meaning", "0, 1, 2, ...: the cells of ParaView, one per particle");
+  file.set_attribute("/vertices", "meaning", "0, 1, 2, ...: the cells of ParaView, one per point");
 }
 
 /// The XDMF view of a frame on disk.
-XdmfFrame describe(const fs::path& path, std::uint64_t number) {
+XdmfFrame describe(const FrameKind& kind, const fs::path& path, std::uint64_t number) {
   const Hdf5File file = Hdf5File::open(path);
-  if (file.text_attribute("/", "format") != frame_format)
+  if (file.text_attribute("/", "format") != kind.format)
     throw InputError(
         fmt::format("'{}' is not a frame of Scree; remove it or restart into a new directory (-o DIR)", path.string()));
   XdmfFrame frame;
-  frame.file = path_in_directory(number);
+  frame.file = path_in_directory(kind, number);
+  frame.group = kind.group;
+  const std::string group = fmt::format("/{}", kind.group);
   file.read_attribute("/", "time", Element::float64, 1, &frame.time);
-  for (const std::string& name : file.names("/particles")) {
-    const Shape shape = file.shape("/particles/" + name);
+  for (const std::string& name : file.names(group)) {
+    const Shape shape = file.shape(group + "/" + name);
     frame.points = shape.rows;
     frame.fields.push_back({name, shape.element, shape.columns});
   }
@@ -83,27 +85,32 @@ XdmfFrame describe(const fs::path& path, std::uint64_t number) {
 
 }  // namespace
 
-FrameWriter::FrameWriter(fs::path directory, const Domain& domain, std::string program, Compression compression)
-    : directory_(std::move(directory)), domain_(domain), program_(std::move(program)), compression_(compression) {
+FrameWriter::FrameWriter(fs::path directory, const Domain& domain, std::string program, Compression compression,
+                         const FrameKind& kind)
+    : kind_(kind),
+      directory_(std::move(directory)),
+      domain_(domain),
+      program_(std::move(program)),
+      compression_(compression) {
   std::error_code error;
-  fs::create_directories(directory_ / "frames", error);
-  if (error)
-    throw ResourceError(fmt::format("cannot create '{}': {}", (directory_ / "frames").string(), error.message()));
+  const fs::path folder = directory_ / kind_.folder;
+  fs::create_directories(folder, error);
+  if (error) throw ResourceError(fmt::format("cannot create '{}': {}", folder.string(), error.message()));
 }
 
 FrameWriter FrameWriter::create(const fs::path& directory, const Domain& domain, std::string program,
-                                Compression compression) {
-  FrameWriter writer(directory, domain, std::move(program), compression);
+                                Compression compression, const FrameKind& kind) {
+  FrameWriter writer(directory, domain, std::move(program), compression, kind);
   writer.write_fields_file();
   return writer;
 }
 
 FrameWriter FrameWriter::resume(const fs::path& directory, const Domain& domain, std::string program, double last_time,
-                                Compression compression) {
-  FrameWriter writer(directory, domain, std::move(program), compression);
+                                Compression compression, const FrameKind& kind) {
+  FrameWriter writer(directory, domain, std::move(program), compression, kind);
   std::vector<fs::path> dropped;
-  for (const auto& [number, path] : list_numbered(frame_files, directory / "frames")) {
-    const XdmfFrame frame = describe(path, number);
+  for (const auto& [number, path] : list_numbered(kind.files, directory / kind.folder)) {
+    const XdmfFrame frame = describe(kind, path, number);
     if (frame.time > last_time) {
       dropped.push_back(path);
       continue;
@@ -118,17 +125,23 @@ FrameWriter FrameWriter::resume(const fs::path& directory, const Domain& domain,
 }
 
 void FrameWriter::write(double time, std::uint64_t step, std::span<const FrameColumn> columns) {
-  XdmfFrame frame{path_in_directory(count_), time, columns.empty() ? 0 : columns.front().values.rows, {}};
+  XdmfFrame frame{path_in_directory(kind_, count_),
+                  time,
+                  columns.empty() ? 0 : columns.front().values.rows,
+                  {},
+                  std::string(kind_.group)};
+  const std::string group = "/" + frame.group;
   for (const FrameColumn& column : columns) {
     if (column.values.rows != frame.points) throw std::logic_error("columns of a frame differ in length");
     frame.fields.push_back({column.name, column.values.element, column.values.columns});
   }
   write_atomically(directory_ / frame.file, [&](const fs::path& temporary) {
     Hdf5File file = Hdf5File::create(temporary);
+    file.set_attribute("/", "format", kind_.format);
     write_header(file, domain_, program_, time, step);
-    file.create_group("/particles");
+    file.create_group(group);
     for (const FrameColumn& column : columns) {
-      const std::string place = "/particles/" + column.name;
+      const std::string place = group + "/" + column.name;
       file.write(place, column.values, storage_for(column.values.element, compression_));
       file.set_attribute(place, "units", column.unit);
       file.set_attribute(place, "meaning", column.meaning);
@@ -141,6 +154,6 @@ void FrameWriter::write(double time, std::uint64_t step, std::span<const FrameCo
   write_fields_file();
 }
 
-void FrameWriter::write_fields_file() const { write_text_file(directory_ / "fields.xdmf", xdmf_document(grids_)); }
+void FrameWriter::write_fields_file() const { write_text_file(directory_ / kind_.document, xdmf_document(grids_)); }
 
 }  // namespace scree

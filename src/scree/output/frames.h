@@ -6,9 +6,11 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "scree/data/domain.h"
 #include "scree/output/element.h"
+#include "scree/output/numbered_file.h"
 
 namespace scree {
 
@@ -26,18 +28,32 @@ struct FrameColumn {
 /// times the writing for a tenth of the size.
 enum class Compression { whole_numbers, none, fast, small };
 
-/// Writes DIR/frames/frame_NNNNNN.h5 and DIR/fields.xdmf. Both are replaced atomically: whatever happens to the run,
-/// every frame that exists is whole and the XDMF names only frames that exist.
+/// What frames are of, and how their files are called.
+struct FrameKind {
+  std::string_view folder;
+  NumberedFiles files;
+  std::string_view group;     // of the datasets in a file
+  std::string_view document;  // the XDMF file over all of them
+  std::string_view format;    // written into each file
+};
+
+inline constexpr FrameKind particle_frames{"frames", frame_files, "particles", "fields.xdmf", "scree frame"};
+inline constexpr FrameKind contact_frames{"contacts", contact_files, "contacts", "contacts.xdmf", "scree contacts"};
+
+/// Writes DIR/frames/frame_NNNNNN.h5 and DIR/fields.xdmf, or what its kind says. Both are replaced atomically: whatever
+/// happens to the run, every frame that exists is whole and the XDMF names only frames that exist.
 class FrameWriter {
  public:
   /// A new series of frames in an existing run directory. `program` names the writer, as in "scree 0.1.0".
   static FrameWriter create(const std::filesystem::path& directory, const Domain& domain, std::string program,
-                            Compression compression = Compression::whole_numbers);
+                            Compression compression = Compression::whole_numbers,
+                            const FrameKind& kind = particle_frames);
 
   /// Goes on after the frames that are there; those later than `last_time` [s] are deleted.
   /// Throws InputError when a frame cannot be read.
   static FrameWriter resume(const std::filesystem::path& directory, const Domain& domain, std::string program,
-                            double last_time, Compression compression = Compression::whole_numbers);
+                            double last_time, Compression compression = Compression::whole_numbers,
+                            const FrameKind& kind = particle_frames);
 
   /// Writes the next frame. All columns have the same number of rows, which may differ from frame to frame.
   /// Throws ResourceError.
@@ -47,9 +63,11 @@ class FrameWriter {
   std::uint64_t count() const { return count_; }
 
  private:
-  FrameWriter(std::filesystem::path directory, const Domain& domain, std::string program, Compression compression);
+  FrameWriter(std::filesystem::path directory, const Domain& domain, std::string program, Compression compression,
+              const FrameKind& kind);
   void write_fields_file() const;
 
+  FrameKind kind_;
   std::filesystem::path directory_;
   Domain domain_;
   std::string program_;

@@ -22,10 +22,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array own_files = {"case.toml",  "fields.xdmf",      "walls.xdmf",  "series.csv",
-                                  "tracks.csv", "agglomerates.csv", "summary.json"};
-constexpr std::array<std::pair<const char*, NumberedFiles>, 3> own_folders = {
-    {{"frames", frame_files}, {"frames", wall_files}, {"checkpoints", checkpoint_files}}};
+constexpr std::array own_files = {"case.toml",  "fields.xdmf", "walls.xdmf",       "contacts.xdmf",
+                                  "series.csv", "tracks.csv",  "agglomerates.csv", "summary.json"};
+constexpr std::array<std::pair<const char*, NumberedFiles>, 4> own_folders = {
+    {{"frames", frame_files}, {"frames", wall_files}, {"contacts", contact_files}, {"checkpoints", checkpoint_files}}};
+constexpr const char* averages_folder = "averages";
+
+/// The averages' files carry names of the case: all grids and films in their folder, and torn ones.
+std::vector<fs::path> files_of_averages(const fs::path& folder, bool torn) {
+  std::vector<fs::path> found;
+  if (!fs::is_directory(folder)) return found;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string(), ending = torn ? std::string(temporary_ending) : "";
+    if (name.ends_with(".h5" + ending) || name.ends_with(".xdmf" + ending)) found.push_back(entry.path());
+  }
+  return found;
+}
 
 void make_directory(const fs::path& path) {
   std::error_code error;
@@ -50,7 +62,7 @@ RunDirectory::RunDirectory(fs::path directory, Existing existing, const fs::path
                       "results (--force) or choose another directory (-o DIR)",
                       directory_.string()));
     if (existing == Existing::replace) remove_own_files(case_file);
-    for (const auto& [folder, series] : own_folders) make_directory(directory_ / folder);
+    for (const char* folder : {"frames", "checkpoints"}) make_directory(directory_ / folder);
     remove_leftovers();
   } catch (...) {
     ::close(lock_);
@@ -82,6 +94,7 @@ void RunDirectory::remove_own_files(const fs::path& case_file) const {
   for (const auto& [folder, series] : own_folders) {
     for (const auto& [number, path] : list_numbered(series, directory_ / folder)) fs::remove(path);
   }
+  for (const fs::path& path : files_of_averages(directory_ / averages_folder, false)) fs::remove(path);
 }
 
 /// Temporary files of a run that was killed while it wrote them.
@@ -89,6 +102,7 @@ void RunDirectory::remove_leftovers() const {
   for (const char* name : own_files) fs::remove(directory_ / (name + std::string(temporary_ending)));
   for (const auto& [folder, series] : own_folders) {
     std::vector<fs::path> leftovers;
+    if (!fs::is_directory(directory_ / folder)) continue;
     for (const auto& entry : fs::directory_iterator(directory_ / folder)) {
       const std::string name = entry.path().filename().string();
       if (name.ends_with(temporary_ending) &&
@@ -97,6 +111,7 @@ void RunDirectory::remove_leftovers() const {
     }
     for (const fs::path& path : leftovers) fs::remove(path);
   }
+  for (const fs::path& path : files_of_averages(directory_ / averages_folder, true)) fs::remove(path);
 }
 
 fs::path RunDirectory::checkpoint(std::uint64_t step) const {

@@ -12,17 +12,11 @@ const char* number_type(Element element) {
   return element == Element::uint32 || element == Element::uint64 ? "UInt" : "Int";
 }
 
-/// A reference to a dataset of a file.
-std::string data_item(const std::string& file, const std::string& dataset, Element element, std::uint64_t rows,
-                      std::uint64_t components) {
+/// A reference to a dataset with a number of rows, "file:dataset".
+std::string data_item(const std::string& place, std::uint64_t rows, Element element, std::uint64_t components) {
   const std::string columns = components == 1 ? "" : fmt::format(" {}", components);
-  return fmt::format(R"(<DataItem Format="HDF" NumberType="{}" Precision="{}" Dimensions="{}{}">{}:{}</DataItem>)",
-                     number_type(element), element_size(element), rows, columns, file, dataset);
-}
-
-/// A reference to a dataset of the frame's file with one row per point.
-std::string data_item(const XdmfFrame& frame, const std::string& dataset, Element element, std::uint64_t components) {
-  return data_item(frame.file, dataset, element, frame.points, components);
+  return fmt::format(R"(<DataItem Format="HDF" NumberType="{}" Precision="{}" Dimensions="{}{}">{}</DataItem>)",
+                     number_type(element), element_size(element), rows, columns, place);
 }
 
 const char* attribute_type(std::uint64_t components) {
@@ -42,11 +36,12 @@ const char* attribute_type(std::uint64_t components) {
 
 std::string xdmf_grid(const XdmfFrame& frame) {
   std::string text = fmt::format(
-      "   <Grid Name=\"particles\" GridType=\"Uniform\">\n    <Time Value=\"{}\"/>\n"
+      "   <Grid Name=\"{}\" GridType=\"Uniform\">\n    <Time Value=\"{}\"/>\n"
       "    <Topology TopologyType=\"Polyvertex\" NodesPerElement=\"1\" NumberOfElements=\"{}\">{}</Topology>\n",
-      frame.time, frame.points, data_item(frame, "/vertices", Element::int32, 1));
+      frame.group, frame.time, frame.points, data_item(frame.file + ":/vertices", frame.points, Element::int32, 1));
   for (const XdmfField& field : frame.fields) {
-    const std::string item = data_item(frame, "/particles/" + field.name, field.element, field.components);
+    const std::string place = fmt::format("{}:/{}/{}", frame.file, frame.group, field.name);
+    const std::string item = data_item(place, frame.points, field.element, field.components);
     if (field.name == "position")
       text += fmt::format("    <Geometry GeometryType=\"XYZ\">{}</Geometry>\n", item);
     else
@@ -62,8 +57,26 @@ std::string xdmf_surface(const std::string& file, double time, std::uint64_t poi
       "    <Topology TopologyType=\"Triangle\" NumberOfElements=\"{}\">{}</Topology>\n"
       "    <Geometry GeometryType=\"XYZ\">{}</Geometry>\n"
       "    <Attribute Name=\"wall\" AttributeType=\"Scalar\" Center=\"Cell\">{}</Attribute>\n   </Grid>\n",
-      time, triangles, data_item(file, "/triangles", Element::int32, triangles, 3),
-      data_item(file, "/points", Element::float64, points, 3), data_item(file, "/wall", Element::int32, triangles, 1));
+      time, triangles, data_item(file + ":/triangles", triangles, Element::int32, 3),
+      data_item(file + ":/points", points, Element::float64, 3),
+      data_item(file + ":/wall", triangles, Element::int32, 1));
+}
+
+std::string xdmf_grid(const XdmfCells& c) {
+  std::string text = fmt::format(
+      "   <Grid Name=\"averages\" GridType=\"Uniform\">\n    <Time Value=\"{}\"/>\n"
+      "    <Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"{} {} {}\"/>\n"
+      "    <Geometry GeometryType=\"ORIGIN_DXDYDZ\">"
+      "<DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"3\">{} {} {}</DataItem>"
+      "<DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"3\">{} {} {}</DataItem></Geometry>\n",
+      c.time, c.cells[2] + 1, c.cells[1] + 1, c.cells[0] + 1, c.min[2], c.min[1], c.min[0], c.spacing[2], c.spacing[1],
+      c.spacing[0]);
+  const auto rows = static_cast<std::uint64_t>(c.cells[0] * c.cells[1] * c.cells[2]);
+  for (const XdmfField& field : c.fields)
+    text += fmt::format("    <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Cell\">{}</Attribute>\n", field.name,
+                        attribute_type(field.components),
+                        data_item(c.file + ":/fields/" + field.name, rows, field.element, field.components));
+  return text + "   </Grid>\n";
 }
 
 std::string xdmf_document(const std::string& grids) {

@@ -1,6 +1,7 @@
 // XDMF 3: the small XML file that tells ParaView what the frames hold.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -22,6 +23,16 @@ struct XdmfFrame {
   double time = 0;
   std::uint64_t points = 0;
   std::vector<XdmfField> fields;
+  std::string group = "particles";  // of the datasets in the file
+};
+
+/// Fields of the cells of a regular grid; x runs fastest.
+struct XdmfCells {
+  std::string file;
+  double time = 0;
+  std::array<double, 3> min{}, spacing{};
+  std::array<std::int64_t, 3> cells{};
+  std::vector<XdmfField> fields;
 };
 
 /// The element for one frame: a cloud of points at one time, each other field an attribute of its points.
@@ -29,6 +40,8 @@ std::string xdmf_grid(const XdmfFrame& frame);
 
 /// The element for the walls at the time of one frame [s]: triangles, with the number of their wall.
 std::string xdmf_surface(const std::string& file, double time, std::uint64_t points, std::uint64_t triangles);
+/// The element for averages on a grid, each field an attribute of its cells; datasets are in the group "fields".
+std::string xdmf_grid(const XdmfCells& cells);
 
 /// The whole document: a temporal collection of the given grids, one after the other.
 std::string xdmf_document(const std::string& grids);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scree/compute/launch.h"
+
 namespace scree {
 
 PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::vector<std::int32_t>& place) {
@@ -123,6 +125,18 @@ std::int32_t assign_slots(const Candidates& pairs, const Incidence& incidence, c
   return used;
 }
 
+/// What each particle reads: the slots of its pairs, in the order of its partners.
+void fill_gather(const Candidates& pairs, const Incidence& incidence, SweepPlan& plan) {
+  plan.gather_first = incidence.first;
+  plan.gather.resize(2 * pairs.count);
+  launch(incidence.first.size() - 1, [&](std::size_t p) {
+    for (std::int32_t k = incidence.first[p]; k < incidence.first[p + 1]; ++k) {
+      const std::int32_t c = incidence.pair[k];
+      plan.gather[k] = gather_entry(plan.slot[c], pairs.partner[c] == static_cast<std::int32_t>(p));
+    }
+  });
+}
+
 }  // namespace
 
 SweepPlan plan_sweep(const Candidates& pairs, const Particles& particles, int threads) {
@@ -142,15 +156,14 @@ SweepPlan plan_sweep(const Candidates& pairs, const Particles& particles, int th
   for (int t = 1; t < threads; ++t)
     for (std::int32_t c = pairs.first[plan.ranges[t].begin]; c < pairs.first[plan.ranges[t].end]; ++c)
       plan.slot[c] += base[t];
-  plan.gather_first = incidence.first;
-  plan.gather.resize(2 * pairs.count);
-#pragma omp parallel for schedule(static)
-  for (std::int32_t p = 0; p < n; ++p)
-    for (std::int32_t k = incidence.first[p]; k < incidence.first[p + 1]; ++k) {
-      const std::int32_t c = incidence.pair[k];
-      plan.gather[k] = gather_entry(plan.slot[c], pairs.partner[c] == p);
-    }
+  fill_gather(pairs, incidence, plan);
   return plan;
+}
+
+void give_own_slots(const Candidates& pairs, const Particles& particles, SweepPlan& plan) {
+  for (std::size_t c = 0; c < pairs.count; ++c) plan.slot[c] = static_cast<std::int32_t>(c);
+  plan.slots = static_cast<std::int32_t>(pairs.count);
+  fill_gather(pairs, incidence_by_id(pairs, particles), plan);
 }
 
 }  // namespace scree

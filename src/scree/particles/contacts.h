@@ -60,4 +60,8 @@ inline constexpr std::size_t bytes_per_pair(bool remembers_rolling) {
 /// Plans a sweep over `pairs` by `threads` threads.
 SweepPlan plan_sweep(const Candidates& pairs, const Particles& particles, int threads);
 
+/// Gives every pair the slot of its own number, so that after a pass the slots hold what each pair did. The order in
+/// which particles sum them stays.
+void give_own_slots(const Candidates& pairs, const Particles& particles, SweepPlan& plan);
+
 }  // namespace scree

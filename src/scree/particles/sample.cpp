@@ -2,6 +2,9 @@
 
 #include <omp.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "scree/base/exact_sum.h"
 #include "scree/compute/launch.h"
 #include "scree/particles/contact_state.h"
@@ -63,6 +66,23 @@ std::vector<WallLoad> loads_of(const ParticleSystem& s, const Buffer<double>& lo
   return out;
 }
 
+/// A pass in which no two pairs share a slot, so that the force of each can be read afterwards.
+SweepFindings sweep_apart(const ContactLists& lists, SweepView view, Sample& out) {
+  const Candidates& pairs = out.system.contacts.pairs;
+  SweepPlan plan = lists.plan;
+  give_own_slots(pairs, out.system.particles, plan);
+  Buffer<double> slots(8 * pairs.count), couples(view.couples ? 4 * pairs.count : 0);
+  view.slot = plan.slot.data();
+  view.gather_first = plan.gather_first.data();
+  view.gather = plan.gather.data();
+  view.slots = slots.data();
+  if (view.couples) view.couples = couples.data();
+  const SweepFindings findings = sweep(lists.kernels, view, plan);
+  out.pair_force.resize(4 * pairs.count);
+  launch(pairs.count, [&](std::size_t c) { std::copy_n(&slots[8 * c], 4, &out.pair_force[4 * c]); });
+  return findings;
+}
+
 }  // namespace
 
 StoredEnergy stored_energy(const ParticleSystem& s) {
@@ -94,8 +114,9 @@ void take_sample(const ParticleSystem& system, ContactLists& lists, sc_move move
   view.force = out.force.data();
   Buffer<double> load(8 * out.system.wall_contacts.wall.size());
   view.walls.load = load.data();
-  out.findings = sweep(lists.kernels, view, lists.plan);
+  out.findings = out.with_contact_forces ? sweep_apart(lists, view, out) : sweep(lists.kernels, view, lists.plan);
   out.wall_loads = loads_of(out.system, load);
+  if (out.with_contact_forces) out.wall_load = std::move(load);
   add_outside_forces(out, move, field);
   out.stored = stored_energy(out.system);
 }

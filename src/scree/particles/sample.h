@@ -30,6 +30,10 @@ struct Sample {
   std::vector<WallLoad> wall_loads;  // of every wall of the case, exact sums
   StoredEnergy stored;
   SweepFindings findings;
+  // Of each contact, on request:
+  bool with_contact_forces = false;  // set by whoever takes the sample
+  Buffer<double> pair_force;         // [pairs][4]: force on the owner x y z, loss [N], [J]
+  Buffer<double> wall_load;          // [wall contacts][8]: force on the wall x y z, -, moment about its pivot x y z, -
 };
 
 /// Brings `out` to the present state of `system`; the slots of `lists` serve as scratch. `move` and `time` are those of

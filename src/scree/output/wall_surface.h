@@ -9,12 +9,12 @@
 namespace scree {
 
 /// Triangles, and the wall that each belongs to.
-struct Surface {
+struct WallSurface {
   std::vector<double> points;           // three coordinates each [m]
   std::vector<std::int32_t> triangles;  // three points each
   std::vector<std::int32_t> wall;       // of each triangle: index into the walls of the case
 
-  bool operator==(const Surface&) const = default;
+  bool operator==(const WallSurface&) const = default;
 };
 
 /// Writes DIR/frames/walls_NNNNNN.h5, where NNNNNN is the first frame that shows the walls so, and DIR/walls.xdmf,
@@ -29,14 +29,14 @@ class SurfaceWriter {
   static SurfaceWriter resume(const std::filesystem::path& directory, double last_time);
 
   /// Adds the walls of the frame with this number; a surface that has not changed costs no file. Throws ResourceError.
-  void write(double time, std::uint64_t frame, const Surface& surface);
+  void write(double time, std::uint64_t frame, const WallSurface& surface);
 
  private:
   explicit SurfaceWriter(std::filesystem::path directory) : directory_(std::move(directory)) {}
   void write_list() const;
 
   std::filesystem::path directory_;
-  Surface last_;
+  WallSurface last_;
   std::string file_;   // of the last surface, relative to the run directory; empty before the first
   std::string grids_;  // the XDMF text of the frames so far
 };

@@ -1,4 +1,4 @@
-#include "scree/output/surface.h"
+#include "scree/output/wall_surface.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ std::vector<T> read_rows(const Hdf5File& file, const std::string& name) {
   return values;
 }
 
-Surface read_surface(const fs::path& path) {
+WallSurface read_surface(const fs::path& path) {
   const Hdf5File file = Hdf5File::open(path);
   return {read_rows<double>(file, "/points"), read_rows<std::int32_t>(file, "/triangles"),
           read_rows<std::int32_t>(file, "/wall")};
@@ -39,7 +39,7 @@ void write_dataset(Hdf5File& file, const std::string& name, const ArrayView& val
   file.set_attribute(name, "meaning", meaning);
 }
 
-void write_surface(const fs::path& path, double time, const Surface& surface) {
+void write_surface(const fs::path& path, double time, const WallSurface& surface) {
   write_atomically(path, [&](const fs::path& temporary) {
     Hdf5File file = Hdf5File::create(temporary);
     const std::size_t count = surface.wall.size();
@@ -95,7 +95,7 @@ SurfaceWriter SurfaceWriter::resume(const fs::path& directory, double last_time)
   return writer;
 }
 
-void SurfaceWriter::write(double time, std::uint64_t frame, const Surface& surface) {
+void SurfaceWriter::write(double time, std::uint64_t frame, const WallSurface& surface) {
   if (file_.empty() || surface != last_) {
     file_ = "frames/" + numbered_name(wall_files, frame);
     write_surface(directory_ / file_, time, surface);

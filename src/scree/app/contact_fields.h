@@ -1,0 +1,14 @@
+// The fields of a file of contacts.
+#pragma once
+
+#include <vector>
+
+#include "scree/output/frames.h"
+#include "scree/particles/sample.h"
+
+namespace scree {
+
+/// A column for every field of all contacts of a sample that has their forces. The columns own their values.
+std::vector<FrameColumn> contact_columns(const Sample& sample);
+
+}  // namespace scree

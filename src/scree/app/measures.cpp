@@ -1,0 +1,98 @@
+#include "scree/app/measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace scree {
+namespace {
+
+CountingPlane plane_of(const PlaneKeys& keys) {
+  CountingPlane out{keys.point, keys.normal, std::numeric_limits<double>::infinity(), keys.min, keys.max};
+  const double length = std::hypot(keys.normal[0], keys.normal[1], keys.normal[2]);
+  for (double& n : out.normal) n /= length;
+  if (keys.radius) out.radius = *keys.radius;
+  return out;
+}
+
+SurfaceProbe probe_of(const SurfaceKeys& keys) {
+  SurfaceProbe out;
+  out.min = keys.min;
+  out.max = keys.max;
+  for (int k = 0; k < 3; ++k) out.cells[k] = static_cast<int>(keys.cells[k]);
+  out.downwards = keys.up.front() == '-';
+  out.axis = keys.up.back() - 'x';
+  out.threshold = keys.solid_fraction;
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> measure_columns(const Case& c) {
+  std::vector<std::string> out;
+  for (const PlaneKeys& plane : c.analysis.planes)
+    for (const char* what : {"_count", "_against", "_mass", "_rate"}) out.push_back(plane.name + what);
+  for (const SurfaceKeys& surface : c.analysis.surfaces)
+    for (const char* what : {"_level", "_angle", "_direction"}) out.push_back(surface.name + what);
+  return out;
+}
+
+Measures::Measures(const Case& c, const Clock& clock, const std::filesystem::path& directory, const Archive* archive)
+    : row_time_(clock.now()) {
+  for (const PlaneKeys& keys : c.analysis.planes) {
+    Plane plane{keys.name, PlaneWatch(plane_of(keys)), 0};
+    if (archive && archive->contains("plane_" + keys.name)) {
+      plane.watch.restore(plane_count_from(archive->get<std::int64_t>("plane_" + keys.name)));
+      plane.row_mass = archive->number("plane_row_mass_" + keys.name);
+    }
+    planes_.push_back(std::move(plane));
+  }
+  if (archive && archive->contains("measures_row_time")) row_time_ = archive->number("measures_row_time");
+  for (const SurfaceKeys& keys : c.analysis.surfaces) surfaces_.push_back(probe_of(keys));
+  for (const AverageKeys& keys : c.analysis.averages) averages_.emplace_back(c, keys, clock, directory, archive);
+}
+
+void Measures::look(Simulation& simulation) {
+  const Clock& clock = simulation.clock();
+  if (seen_step_ == clock.step) return;
+  const ParticleSystem& system = simulation.system();
+  if (!planes_.empty()) {
+    const Stopwatch watch(simulation.stages(), "planes");
+    for (Plane& plane : planes_) plane.watch.look(system.particles, system.domain, clock.dt, seen_step_ < 0);
+  }
+  for (AverageRun& average : averages_) average.look(simulation);
+  seen_step_ = clock.step;
+}
+
+std::vector<double> Measures::row(const Sample& sample, double time) {
+  std::vector<double> out;
+  for (Plane& plane : planes_) {
+    const PlaneCount& count = plane.watch.count();
+    const double mass = count.mass.value();
+    const double rate = time > row_time_ ? (mass - plane.row_mass) / (time - row_time_) : 0;
+    out.insert(out.end(),
+               {static_cast<double>(count.along - count.against), static_cast<double>(count.against), mass, rate});
+    plane.row_mass = mass;
+  }
+  row_time_ = time;
+  for (const SurfaceProbe& probe : surfaces_) {
+    const Surface found = find_surface(probe, sample.system.particles);
+    out.insert(out.end(), {found.level, found.angle, found.direction});
+  }
+  return out;
+}
+
+void Measures::finish() {
+  for (AverageRun& average : averages_) average.finish();
+}
+
+void Measures::save(Archive& archive) const {
+  if (!planes_.empty()) archive.set("measures_row_time", row_time_);
+  for (const Plane& plane : planes_) {
+    archive.put("plane_" + plane.name, numbers_of(plane.watch.count()));
+    archive.set("plane_row_mass_" + plane.name, plane.row_mass);
+  }
+  for (const AverageRun& average : averages_) average.save(archive);
+}
+
+}  // namespace scree

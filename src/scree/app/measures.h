@@ -1,0 +1,49 @@
+// What a case measures beyond the ledger: counting planes, free surfaces, averages.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scree/analysis/planes.h"
+#include "scree/analysis/surface.h"
+#include "scree/app/average_run.h"
+#include "scree/app/simulation.h"
+
+namespace scree {
+
+/// The columns of the series that planes and surfaces of the case fill.
+std::vector<std::string> measure_columns(const Case& c);
+
+class Measures {
+ public:
+  /// Begins, or goes on from what save() put into `archive`; what the archive does not know begins now.
+  Measures(const Case& c, const Clock& clock, const std::filesystem::path& directory, const Archive* archive);
+
+  /// Looks at the present step, once. Must see the first state, and every step after it.
+  void look(Simulation& simulation);
+
+  /// Values of measure_columns() for a row at the time of the sample [s]; rates are those since the row before.
+  std::vector<double> row(const Sample& sample, double time);
+
+  /// Writes what is incomplete.
+  void finish();
+
+  void save(Archive& archive) const;
+
+ private:
+  /// A plane, and what its last row of the series said.
+  struct Plane {
+    std::string name;
+    PlaneWatch watch;
+    double row_mass = 0;  // [kg]
+  };
+
+  std::vector<Plane> planes_;
+  std::vector<SurfaceProbe> surfaces_;
+  std::vector<AverageRun> averages_;
+  double row_time_ = 0;  // of the last row [s]
+  std::int64_t seen_step_ = -1;
+};
+
+}  // namespace scree
