@@ -1,4 +1,5 @@
-"""Draws a run of Scree: DIR/series.png from series.csv, and DIR/particles.png from the last frame.
+"""Draws a run of Scree: DIR/series.png from series.csv, and DIR/particles.png from the last frame;
+DIR/groups.png too where the particles belong to several groups.
 
 usage: plot.py DIR
 """
@@ -30,6 +31,8 @@ def main():
     frames = sorted((directory / "frames").glob("frame_*.h5"))
     if frames:
         pictures.append(plot_particles.draw(frames[-1], directory / "particles.png"))
+        if plot_particles.has_groups(frames[-1]):
+            pictures.append(plot_particles.draw(frames[-1], directory / "groups.png", by_group=True))
     if not any(pictures):
         sys.exit(f"plot.py: '{directory}' holds neither rows in series.csv nor particles in frames/; is it a run directory?")
     for picture in filter(None, pictures):

@@ -7,12 +7,12 @@ import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize
+from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize, to_rgb
 from matplotlib.patches import Patch
 
 import spheres
 import walls
-from plot_style import INK, si_scale
+from plot_style import COLOURS, INK, si_scale
 
 DPI = 150
 SINGLE = np.array([0.80, 0.82, 0.85])
@@ -47,6 +47,11 @@ def colour_by_speed(frame):
     norm = Normalize(0, factor * (top if top > 0 else speed.max()))
     colour_map = LinearSegmentedColormap.from_list("speeds", plt.get_cmap("viridis")(np.linspace(0.12, 1, 256)))
     return colour_map(norm(factor * speed))[:, :3], ScalarMappable(norm, colour_map), f"speed [{unit}]"
+
+
+def colour_by_group(frame):
+    """One colour per group of particles; no scale belongs to it."""
+    return np.array([to_rgb(COLOURS[group % len(COLOURS)]) for group in frame["group"]]), None, ""
 
 
 def frame_box(frame, surface):
@@ -98,7 +103,13 @@ def describe(frame, low, high):
     return text, " \u00d7 ".join(f"{x * factor:.3g}" for x in high - low) + f" {unit}"
 
 
-def draw(frame_path, picture_path, pixels=2400):
+def has_groups(frame_path):
+    """Whether the particles of a frame belong to several groups."""
+    with h5py.File(frame_path, "r") as file:
+        return "group" in file["particles"] and len(np.unique(file["particles/group"][:])) > 1
+
+
+def draw(frame_path, picture_path, pixels=2400, by_group=False):
     """Writes the picture; returns its path, or None where the frame has no particles or lacks a field that the picture
     needs. `pixels` are halved for it."""
     frame = read_frame(frame_path)
@@ -110,7 +121,8 @@ def draw(frame_path, picture_path, pixels=2400):
         print(f"plot.py: '{frame_path}' does not hold {' and '.join(missing)} (output.fields): no picture of the particles",
               file=sys.stderr)
         return None
-    colours, scale, label = (colour_by_agglomerate if with_agglomerates else colour_by_speed)(frame)
+    by_measure = colour_by_agglomerate if with_agglomerates else colour_by_speed
+    colours, scale, label = (colour_by_group if by_group else by_measure)(frame)
     surface = walls.read_walls(pathlib.Path(frame_path))
     low, high, is_domain = frame_box(frame, surface)
     camera = spheres.Camera(low, high, *view_angles(low, high), pixels)
@@ -132,12 +144,13 @@ def draw(frame_path, picture_path, pixels=2400):
     title, size = describe(frame, low, high)
     figure.text(0.3 / width, 1 - 0.3 / height, title, fontsize=13, color=INK, va="center")
     figure.text(0.3 / width, 0.2 / height, size, fontsize=9.5, color=INK, alpha=0.75)
-    bar_axes = figure.add_axes([(inches[0] + 0.3) / width, 0.25, 0.16 / width, 0.5])
-    bar = figure.colorbar(scale, cax=bar_axes)
-    bar.outline.set_visible(False)
-    bar.set_label(label, color=INK)
-    bar_axes.tick_params(colors=INK, which="both", length=3)
-    if with_agglomerates and np.any(frame["agglomerate"] < 0):
+    if scale is not None:
+        bar_axes = figure.add_axes([(inches[0] + 0.3) / width, 0.25, 0.16 / width, 0.5])
+        bar = figure.colorbar(scale, cax=bar_axes)
+        bar.outline.set_visible(False)
+        bar.set_label(label, color=INK)
+        bar_axes.tick_params(colors=INK, which="both", length=3)
+    if with_agglomerates and not by_group and np.any(frame["agglomerate"] < 0):
         patch = Patch(facecolor=SINGLE * 0.92, label="single")
         place = ((inches[0] + 0.2) / width, 0.18)
         figure.legend(handles=[patch], loc=place, frameon=False, labelcolor=INK, handlelength=1, handleheight=1)

@@ -18,6 +18,7 @@ matplotlib.use("Agg")
 import plot_particles  # noqa: E402
 import plot_series  # noqa: E402
 import spheres  # noqa: E402
+import walls  # noqa: E402
 
 
 def write_frame(path, position, diameter, velocity, agglomerate=None):
@@ -95,6 +96,21 @@ class Pictures(unittest.TestCase):
             return np.mean((picture[..., 0] > 0.6) & (picture[..., 2] < 0.4))
 
         self.assertGreater(yellow(fast), yellow(slow) + 0.005)
+
+    def test_walls_are_drawn_where_they_are_and_hidden_behind_particles(self):
+        frame = self.directory / "frames" / "frame_000002.h5"
+        write_frame(frame, [[0.5, 0.5, 0.5]], [0.3], [[0, 0, 0]])
+        square = np.array([[0.1, 0.1, 0.9], [0.9, 0.1, 0.9], [0.9, 0.9, 0.9], [0.1, 0.9, 0.9]])
+        for number, height in ((0, 0.2), (2, 0.9), (3, 0.4)):
+            with h5py.File(frame.parent / f"walls_{number:06}.h5", "w") as file:
+                file["points"] = square * [1, 1, 0] + [0, 0, height]
+                file["triangles"], file["wall"] = [[0, 1, 2], [0, 2, 3]], [0, 0]
+        points, triangles, wall = walls.read_walls(frame)
+        self.assertEqual(set(points[:, 2]), {0.9})
+        lines = walls.outline(points, triangles, wall, np.array([0.0, 0, 5]))
+        self.assertEqual(len(lines), 4)  # not the diagonal
+        self.assertIsNotNone(plot_particles.draw(frame, self.directory / "one.png", pixels=500))
+        self.assertFalse(plot_particles.has_groups(frame))
 
     def test_a_directory_that_is_no_run_is_refused(self):
         result = plot(self.directory)
