@@ -77,7 +77,7 @@ TEST(Planes, OnlyADiscOrABoxOfThem) {
   EXPECT_EQ(passed(disc, box, grains, 30).along, 2);  // the first; the third, at 0.598
   CountingPlane part = plane_at({0.5, 0.5, 0.5}, {0, 0, 1});
   part.min = {0.55, 0, 0.7};
-  part.max = {0.6, 1, 0.8};  // along the normal a box says nothing
+  part.max = {0.6, 1, 0.8};                          // along the normal a box says nothing
   EXPECT_EQ(passed(part, box, grains, 1).along, 1);  // the third
   EXPECT_EQ(passed(part, box, {{{0.59, 0.5, 0.4}, {0, 0, 1}}, {{0.54, 0.5, 0.4}, {0, 0, 1}}}, 30).along, 1);
 }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "scree/base/exact_sum.h"
-#include "scree/compute/buffer.h"
 #include "scree/data/domain.h"
 #include "scree/data/particles.h"
 
@@ -47,7 +46,7 @@ class PlaneWatch {
   enum Side : std::uint8_t { unseen, before, behind };
 
   CountingPlane plane_;
-  Buffer<std::uint8_t> side_;  // [ids]
+  std::vector<std::uint8_t> side_;  // [ids]
   PlaneCount count_;
 };
 
