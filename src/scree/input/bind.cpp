@@ -12,15 +12,16 @@ namespace {
 
 std::string join(const std::string& path, const std::string& name) { return path.empty() ? name : path + "." + name; }
 
-/// Remedy for an unknown key: a key of this table with a similar name, or the table where the name belongs.
-std::string meant(const Section& section, const std::string& name) {
+/// Remedy for an unknown key: a key of this table with a similar name, or the table where the name belongs. What is
+/// written as a table can only be meant where a table is.
+std::string meant(const Section& section, const std::string& name, bool table) {
   std::vector<std::string> here, elsewhere;
   std::string owners;
   for (const Key& key : section.keys) here.push_back(key.name);
   for_each_section(case_section(), [&](const Section& other) {
     if (&other == &section) return;
     for (const Key& key : other.keys) {
-      if (key.name == name)
+      if (key.name == name && (!table || opened_by(key) != nullptr))
         owners += (owners.empty() ? "" : ", ") + (other.path.empty() ? "the top of the file" : other.heading);
     }
   });
@@ -50,7 +51,8 @@ struct Binder {
     const std::string what = top ? entry.value.as<Table>() || entry.value.as<List>() ? "table" : "key" : "key";
     const std::string where = top ? "at the top of the file" : "in " + section.heading;
     problems.push_back({"E102", entry.place, fmt::format("unknown {} '{}' {}", what, entry.name, where),
-                        top ? "not known" : "not a key of " + section.heading, meant(section, entry.name)});
+                        top ? "not known" : "not a key of " + section.heading,
+                        meant(section, entry.name, what == "table")});
   }
 
   void missing(const Section& section, const Key& key, const std::string& path) {
