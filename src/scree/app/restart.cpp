@@ -127,6 +127,7 @@ Beginning next_piece(const Case& c, const RunOptions& options, double end) {
 }  // namespace
 
 std::string run_directory_of(const std::string& restart) {
+  if (restart.empty()) return "";
   const fs::path path = fs::path(restart).lexically_normal();
   if (!fs::is_directory(path)) {
     const fs::path folder = fs::absolute(path).parent_path();
