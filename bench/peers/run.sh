@@ -19,9 +19,9 @@ boundary="f f f" gravity=1 step=5e-6 steps=600 skin_lammps=1e-4 skin_liggghts=1e
 case $scene in
 dense) box="0.08 0.08 0.16" boundary="p p f" walls=$here/floor.liggghts lammps=1 ;;
 dilute) box="0.2031 0.2031 0.2031" boundary="p p p" gravity=0 steps=3000 skin_lammps=4e-4 skin_liggghts=4e-4 lammps=1 ;;
-drum) box="0.184 0.124 0.124" walls=$here/drum.liggghts ;;
+drum) box="0.184 0.124 0.124" skin_liggghts=4e-4 walls=$here/drum.liggghts ;;
 silo) box="0.064 0.064 0.432" walls=$here/silo.liggghts ;;
-mix) box="0.0704 0.0704 0.0704" boundary="p p p" gravity=0 step=2.5e-6 ;;
+mix) box="0.0704 0.0704 0.0704" boundary="p p p" gravity=0 step=2.5e-6 skin_liggghts=4e-4 ;;
 *) echo "unknown scene '$scene'; use dense, dilute, drum, silo or mix" >&2 && exit 2 ;;
 esac
 steps=${STEPS:-$steps}
