@@ -11,7 +11,7 @@ FOLD = np.cos(np.radians(25))
 
 def read_walls(frame_path):
     """Points (n, 3), triangles (m, 3) and walls (m) of the last surface up to that frame; None if there is none."""
-    known = {int(path.stem.split("_")[-1]): path for path in frame_path.parent.glob("walls_*.h5")}
+    known = {int(path.stem.split("_")[-1]): path for path in (frame_path.parent.parent / "walls").glob("walls_*.h5")}
     if not known:
         return None
     number = int(frame_path.stem.split("_")[-1])

@@ -101,8 +101,10 @@ class Pictures(unittest.TestCase):
         frame = self.directory / "frames" / "frame_000002.h5"
         write_frame(frame, [[0.5, 0.5, 0.5]], [0.3], [[0, 0, 0]])
         square = np.array([[0.1, 0.1, 0.9], [0.9, 0.1, 0.9], [0.9, 0.9, 0.9], [0.1, 0.9, 0.9]])
+        folder = self.directory / "walls"
+        folder.mkdir()
         for number, height in ((0, 0.2), (2, 0.9), (3, 0.4)):
-            with h5py.File(frame.parent / f"walls_{number:06}.h5", "w") as file:
+            with h5py.File(folder / f"walls_{number:06}.h5", "w") as file:
                 file["points"] = square * [1, 1, 0] + [0, 0, height]
                 file["triangles"], file["wall"] = [[0, 1, 2], [0, 2, 3]], [0, 0]
         points, triangles, wall = walls.read_walls(frame)

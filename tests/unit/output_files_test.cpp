@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -74,7 +75,11 @@ std::vector<std::string> documented_columns(const std::string& section) {
     const std::string cell = document.substr(at + 3, document.find(" | ", at + 3) - at - 3);
     for (auto tick = cell.find('`'); tick != std::string::npos;) {
       const auto end = cell.find('`', tick + 1);
-      names.push_back(cell.substr(tick + 1, end - tick - 1));
+      const std::string name = cell.substr(tick + 1, end - tick - 1);
+      // Columns with names of the case (WALL_force_x, _y) are not in every table.
+      const bool usual =
+          name.front() != '_' && std::none_of(name.begin(), name.end(), [](char c) { return std::isupper(c); });
+      if (usual) names.push_back(name);
       tick = cell.find('`', end + 1);
     }
   }

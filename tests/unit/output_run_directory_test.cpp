@@ -65,7 +65,7 @@ TEST(RunDirectory, ForceRemovesOnlyFilesOfScree) {
                                      "summary.json",
                                      "frames/frame_000000.h5",
                                      "frames/frame_1000000.h5",
-                                     "frames/walls_000000.h5",
+                                     "walls/walls_000000.h5",
                                      "walls.xdmf",
                                      "frames/frame_000001.h5.part",
                                      "checkpoints/checkpoint_000000000007.h5",

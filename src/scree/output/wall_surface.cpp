@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scree/base/atomic_file.h"
+#include "scree/base/error.h"
 #include "scree/output/hdf5_file.h"
 #include "scree/output/numbered_file.h"
 #include "scree/output/xdmf.h"
@@ -90,14 +91,18 @@ SurfaceWriter SurfaceWriter::resume(const fs::path& directory, double last_time)
   if (!writer.file_.empty()) writer.last_ = read_surface(directory / writer.file_);
   // First the list, then the files: at no moment does it name a file that is gone.
   if (!text.empty()) writer.write_list();
-  for (const auto& [number, path] : list_numbered(wall_files, directory / "frames"))
+  for (const auto& [number, path] : list_numbered(wall_files, directory / "walls"))
     if (writer.file_.empty() || path.filename() > fs::path(writer.file_).filename()) fs::remove(path);
   return writer;
 }
 
 void SurfaceWriter::write(double time, std::uint64_t frame, const WallSurface& surface) {
   if (file_.empty() || surface != last_) {
-    file_ = "frames/" + numbered_name(wall_files, frame);
+    file_ = "walls/" + numbered_name(wall_files, frame);
+    std::error_code error;
+    fs::create_directories(directory_ / "walls", error);
+    if (error)
+      throw ResourceError(fmt::format("cannot create '{}': {}", (directory_ / "walls").string(), error.message()));
     write_surface(directory_ / file_, time, surface);
     last_ = surface;
   }

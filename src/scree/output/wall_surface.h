@@ -17,7 +17,7 @@ struct WallSurface {
   bool operator==(const WallSurface&) const = default;
 };
 
-/// Writes DIR/frames/walls_NNNNNN.h5, where NNNNNN is the first frame that shows the walls so, and DIR/walls.xdmf,
+/// Writes DIR/walls/walls_NNNNNN.h5, where NNNNNN is the first frame that shows the walls so, and DIR/walls.xdmf,
 /// which has a grid for each frame. Both are replaced atomically.
 class SurfaceWriter {
  public:
