@@ -16,11 +16,11 @@ namespace {
 using namespace test;
 namespace fs = std::filesystem;
 
-Surface surface_of(const std::string& wall, double time = 0) {
+WallSurface surface_of(const std::string& wall, double time = 0) {
   Simulation s(case_of("[simulation]\nend = 10\ntime_step = 1e-3\n[domain]\nmin = [-1, -2, -3]\nmax = [1, 2, 3]\n"
                        "[[materials]]\nname = \"steel\"\ndensity = 2000\nstiffness = 1\n"
-                       "[[particles]]\nmaterial = \"steel\"\ndiameter = 0.01\ninsert = \"positions\"\n"
-                       "positions = [[0, 0, 2]]\n[[walls]]\nmaterial = \"steel\"\n" +
+                       "[[particles]]\nmaterial = \"steel\"\ndiameter = 0.2\ninsert = \"positions\"\n"
+                       "positions = [[-0.5, -0.5, 2]]\n[[walls]]\nmaterial = \"steel\"\n" +
                        wall),
                {1, 1});
   advance(s, static_cast<int>(std::lround(time / 1e-3)));
@@ -28,12 +28,12 @@ Surface surface_of(const std::string& wall, double time = 0) {
   return wall_surface(s.system().walls, s.system().domain);
 }
 
-sc_vec point(const Surface& surface, std::int32_t number) {
+sc_vec point(const WallSurface& surface, std::int32_t number) {
   const double* x = &surface.points[3 * static_cast<std::size_t>(number)];
   return sc_make_vec(x[0], x[1], x[2]);
 }
 
-double area(const Surface& surface) {
+double area(const WallSurface& surface) {
   double sum = 0;
   for (std::size_t k = 0; k < surface.triangles.size(); k += 3) {
     const sc_vec a = point(surface, surface.triangles[k]);
@@ -61,7 +61,7 @@ TEST(WallSurface, AreasAreThoseOfTheShapes) {
 
 TEST(WallSurface, GoesWithTheWallAndAppearsWithIt) {
   const std::string plate = "type = \"plate\"\ncorner = [0, 0, 0]\nedge_a = [1, 0, 0]\nedge_b = [0, 1, 0]\n";
-  const Surface turned = surface_of(
+  const WallSurface turned = surface_of(
       plate + "motion = { type = \"rotation\", axis = [0, 0, 1], point = [0, 0, 0], angular_velocity = 0.5 }\n", 0.4);
   const sc_vec corner = point(turned, 1);
   EXPECT_NEAR(corner.x, std::cos(0.2), 1e-12);
@@ -74,8 +74,8 @@ TEST(SurfaceWriter, WritesWhatHasMovedAndGoesOn) {
   const fs::path directory = fs::path(::testing::TempDir()) / "scree_wall_surface";
   fs::remove_all(directory);
   fs::create_directories(directory / "frames");
-  const Surface here{{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}, {0}};
-  Surface there = here;
+  const WallSurface here{{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}, {0}};
+  WallSurface there = here;
   there.points[2] = 0.5;
   const auto file = [&](int number) { return fs::exists(directory / fmt::format("frames/walls_{:06}.h5", number)); };
   SurfaceWriter writer = SurfaceWriter::create(directory);
