@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 WallSurface surface_of(const std::string& wall, double time = 0) {
   Simulation s(case_of("[simulation]\nend = 10\ntime_step = 1e-3\n[domain]\nmin = [-1, -2, -3]\nmax = [1, 2, 3]\n"
                        "[[materials]]\nname = \"steel\"\ndensity = 2000\nstiffness = 1\n"
-                       "[[particles]]\nmaterial = \"steel\"\ndiameter = 0.01\ninsert = \"positions\"\n"
-                       "positions = [[-0.9, 1.9, 2.9]]\n[[walls]]\nmaterial = \"steel\"\n" +
+                       "[[particles]]\nmaterial = \"steel\"\ndiameter = 0.2\ninsert = \"positions\"\n"
+                       "positions = [[-0.5, -0.5, 2]]\n[[walls]]\nmaterial = \"steel\"\n" +
                        wall),
                {1, 1});
   advance(s, static_cast<int>(std::lround(time / 1e-3)));
@@ -77,7 +77,7 @@ TEST(SurfaceWriter, WritesWhatHasMovedAndGoesOn) {
   const WallSurface here{{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}, {0}};
   WallSurface there = here;
   there.points[2] = 0.5;
-  const auto file = [&](int number) { return fs::exists(directory / fmt::format("walls/walls_{:06}.h5", number)); };
+  const auto file = [&](int number) { return fs::exists(directory / fmt::format("frames/walls_{:06}.h5", number)); };
   SurfaceWriter writer = SurfaceWriter::create(directory);
   writer.write(0, 0, here);
   writer.write(0.1, 1, here);
