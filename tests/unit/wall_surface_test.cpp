@@ -77,7 +77,7 @@ TEST(SurfaceWriter, WritesWhatHasMovedAndGoesOn) {
   const WallSurface here{{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}, {0}};
   WallSurface there = here;
   there.points[2] = 0.5;
-  const auto file = [&](int number) { return fs::exists(directory / fmt::format("frames/walls_{:06}.h5", number)); };
+  const auto file = [&](int number) { return fs::exists(directory / fmt::format("walls/walls_{:06}.h5", number)); };
   SurfaceWriter writer = SurfaceWriter::create(directory);
   writer.write(0, 0, here);
   writer.write(0.1, 1, here);
