@@ -110,7 +110,7 @@ void add_block(Collector& out, const sc_wall& face) {
 void add_frustum(Collector& out, const sc_wall& face) {
   const auto [a, b] = across(face.b);
   const sc_vec end = sc_add_scaled(face.a, face.length, face.b);
-  const auto rim = [&](const sc_vec& middle, double radius, int k) {
+  const auto rim = [&, a = a, b = b](const sc_vec& middle, double radius, int k) {
     const double angle = 2 * std::numbers::pi * (k % parts_of_a_circle) / parts_of_a_circle;
     return sc_add_scaled(sc_add_scaled(middle, radius * std::cos(angle), a), radius * std::sin(angle), b);
   };

@@ -204,8 +204,8 @@ inline void slide_any(Batch& b, const Stages& m, int n, const sc_laws laws, cons
 }
 
 /// Evaluates any laws for contacts [0, n) of the batch.
-[[gnu::noinline]] void act_in_stages(Batch& b, int n, const sc_laws laws, const sc_pair_law* table,
-                                     const sc_contact_time time) {
+[[gnu::noinline, maybe_unused]] void act_in_stages(Batch& b, int n, const sc_laws laws, const sc_pair_law* table,
+                                                   const sc_contact_time time) {
   Stages m;
   press_any(b, m, n, laws, table, time);
   slide_any(b, m, n, laws, table, time);
