@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "scree/analysis/averages.h"
 #include "scree/app/simulation.h"

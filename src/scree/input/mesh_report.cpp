@@ -53,7 +53,7 @@ int count_pieces(const Mesh& mesh) {
   std::vector<int> roots;
   for (const auto& t : mesh.triangles) roots.push_back(root(t[0]));
   std::ranges::sort(roots);
-  return static_cast<int>(std::ranges::unique(roots).begin() - roots.begin());
+  return static_cast<int>(std::unique(roots.begin(), roots.end()) - roots.begin());
 }
 
 std::string counted(int count, std::string_view one, std::string_view many) {
