@@ -174,6 +174,15 @@ TEST(MovingWall, ErrorOfItsWorkFallsWithTheSquareOfTheTimeStep) {
   EXPECT_LT(fine, 1e-2);
 }
 
+// Work taken with the velocity of half a step before would be short by a dt / 2 times the impulse.
+TEST(MovingWall, WorkOfOneThatSpeedsUpIsTakenWhereItIs) {
+  const Case c =
+      case_of(ball_text("[0, 0, 0.005]",
+                        "[[walls]]\ntype = \"plane\"\nmaterial = \"steel\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n"
+                        "motion = { type = \"expression\", displacement = [0, 0, \"10*t^2\"] }\n"));
+  EXPECT_LT(energy_error(c, 2000), 1e-4);
+}
+
 TEST(MovingWall, GateThatIsTakenAwayTakesAlongWhatItsContactsHold) {
   const std::string gate =
       "[[walls]]\ntype = \"rectangle\"\nmaterial = \"steel\"\nmin = [-1, -1, 0]\nmax = [1, 1, 0]\nuntil = 0.01\n"
