@@ -61,15 +61,15 @@ def draw_exchanges(axes, series):
 
 def draw_errors(axes, series):
     axes.set_title("Closure of the books")
-    stores = sum(np.abs(series[name]) for name in ENERGIES if name in series)
     for colour, name, label, scale in (
-        (COLOURS[0], "energy_error", "energy error / largest energy", stores),
+        (COLOURS[0], "energy_error", "energy error / energy turnover", "energy_turnover"),
         (COLOURS[3], "momentum_error", "momentum error [N s]", None),
     ):
-        if name not in series or not moves(series[name]):
+        if name not in series or not moves(series[name]) or (scale and scale not in series):
             continue
-        largest = np.nanmax(scale) if scale is not None else 1.0
-        error = np.abs(series[name]) / (largest or 1.0)
+        # The progress line and ledger.energy_tolerance mean the same ratio.
+        turnover = np.where(series[scale] > 0, series[scale], np.nan) if scale else 1.0
+        error = np.abs(series[name]) / turnover
         axes.plot(series["t"], np.where(error > 0, error, np.nan), color=colour, label=label)
     if axes.lines:
         axes.set_yscale("log")
@@ -78,7 +78,7 @@ def draw_errors(axes, series):
 
 def draw_contacts(axes, series):
     axes.set_title("Contacts")
-    pair(axes, series, ("contacts", "contacts", 1), ("max_overlap", "largest overlap / 2R* [%]", 100))
+    pair(axes, series, ("contacts", "contacts", 1), ("max_overlap", "largest overlap / smaller radius [%]", 100))
 
 
 def draw_speeds(axes, series):

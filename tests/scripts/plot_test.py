@@ -74,8 +74,8 @@ class Pictures(unittest.TestCase):
         write_frame(frame, position, np.full(300, 0.08), 0 * position, np.repeat(np.arange(100), 3))
         agglomerates = ["agglomerates", "agglomerated_fraction", "largest_agglomerate", "mean_agglomerate_size",
                         "fractal_dimension", "fractal_dimension_error", "coordination_number"]
-        write_series(self.directory / "series.csv", ["time", "kinetic_energy", "energy_error", "contacts", "max_overlap",
-                                                     "max_speed", *agglomerates])
+        write_series(self.directory / "series.csv", ["time", "kinetic_energy", "energy_error", "energy_turnover", "contacts",
+                                                     "max_overlap", "max_speed", *agglomerates])
         result = plot(self.directory)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stderr, "")
