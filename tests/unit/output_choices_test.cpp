@@ -5,6 +5,7 @@
 
 #include "engine_cases.h"
 #include "run_files.h"
+#include "scree/app/contact_fields.h"
 #include "scree/app/derived.h"
 #include "scree/app/frame_fields.h"
 #include "scree/input/keys.h"
@@ -165,6 +166,56 @@ TEST(OutputCost, CountsWhatARunWrites) {
   EXPECT_EQ(derive(crowd({})).cost.frame_bytes - single, n * 4 * 11);
   EXPECT_EQ(single - derive(crowd({"output.precision=single", "output.fields=[\"position\"]"})).cost.frame_bytes,
             n * (4 * 8 + 2 * 4));
+}
+
+/// Bytes and number of the HDF5 files in a folder.
+std::pair<double, std::uint64_t> files_in(const fs::path& folder) {
+  double bytes = 0;
+  std::uint64_t count = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() != ".h5") continue;
+    bytes += static_cast<double>(entry.file_size());
+    ++count;
+  }
+  return {bytes, count};
+}
+
+TEST(OutputCost, CountsContactsAndAverages) {
+  const std::string grids =
+      "[[analysis.averages]]\nname = \"whole\"\ncells = [5, 4, 3]\nevery = 5e-4\n"
+      "[[analysis.averages]]\nname = \"parts\"\ncells = [8, 8, 8]\nevery = 5e-4\nwindow = 1.5e-3\nfrom = 5e-4\n"
+      "[[analysis.averages]]\nname = \"even\"\ncells = [2, 2, 2]\nevery = 5e-4\nwindow = 2e-3\n"
+      "[[analysis.averages]]\nname = \"late\"\ncells = [2, 2, 2]\nevery = 1e-3\nfrom = 5e-3\nwindow = 1e-3\n";
+  const Case c = case_of(crowd_text(plain, 150) + grids, {"simulation.end=4e-3", "output.frames=1e-3",
+                                                          "output.contacts=true", "output.compression=none"});
+  const Case without = crowd({"output.frames=1e-3", "output.compression=none"});
+  const TemporaryDirectory space;
+  run_case(c, into(space / "run"));
+  const DerivedCost cost = derive(c).cost, less = derive(without).cost;
+  const auto [average_bytes, average_files] = files_in(space / "run/averages");
+  EXPECT_EQ(cost.average_files, average_files);
+  EXPECT_NEAR(cost.average_bytes, average_bytes, 0.2 * average_bytes);
+  const auto [contact_bytes, contact_files] = files_in(space / "run/contacts");
+  EXPECT_EQ(cost.frames, contact_files);
+  EXPECT_GE(static_cast<double>(contact_files) * cost.contact_bytes, contact_bytes);
+  EXPECT_EQ(less.contact_bytes, 0);
+  EXPECT_EQ(less.average_files, 0u);
+  EXPECT_NEAR(cost.disk - less.disk, 5 * cost.contact_bytes + cost.average_bytes, 1e-9 * cost.disk);
+  const std::string report = check_report(c, derive(c), "", {});
+  EXPECT_NE(report.find("contacts of every frame, up to "), std::string::npos) << report;
+  EXPECT_NE(report.find(" files of averages, "), std::string::npos) << report;
+}
+
+TEST(OutputCost, AContactTakesWhatTheFileTakes) {
+  const TemporaryDirectory space;
+  run_case(crowd({"output.contacts=true"}), into(space / "run"));
+  const Hdf5File file = Hdf5File::open(space / "run/contacts/contacts_000001.h5");
+  std::size_t bytes = element_size(Element::int32);  // of the vertices
+  for (const std::string& name : file.names("/contacts")) {
+    const Shape shape = file.shape("/contacts/" + name);
+    bytes += shape.columns * element_size(shape.element);
+  }
+  EXPECT_EQ(file_bytes_per_contact(), bytes);
 }
 
 TEST(OutputCost, TheReportWarnsWhenItWillNotFit) {

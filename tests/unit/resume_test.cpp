@@ -99,6 +99,21 @@ TEST(Resume, IntoANewDirectoryButIntoNoOthersResults) {
   EXPECT_NE(refusal(short_case(), o).find("is not empty"), std::string::npos);
 }
 
+TEST(Resume, TracksGoOnWithoutTheRowsAfterTheCheckpoint) {
+  const TemporaryDirectory space;
+  run_case(short_case(), into(space / "run"));
+  const std::string before = read_text_file(space / "run/tracks.csv");
+  std::ofstream(space / "run/tracks.csv", std::ios::app) << "9e-4,0,1,1,1,1,1,1,1,1,1,1,1,1\n";
+  RunOptions o = into(space / "run");
+  o.restart = (space / "run/checkpoints/checkpoint_000000000030.h5").string();
+  o.until = 7e-4;
+  run_case(short_case(), o);
+  // Two particles at 0, 1e-4 ... 7e-4 s: the rows of before up to there, each once.
+  const std::string after = read_text_file(space / "run/tracks.csv");
+  EXPECT_EQ(times(space / "run/tracks.csv").size(), 2u * 8);
+  EXPECT_EQ(after, before.substr(0, after.size()));
+}
+
 TEST(Resume, CutsTablesThatAreNoLongerWritten) {
   const TemporaryDirectory space;
   run_case(short_case(), into(space / "run"));

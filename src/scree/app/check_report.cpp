@@ -192,6 +192,13 @@ void say_outputs(const DerivedCost& cost, const std::optional<OutputPlace>& plac
                                many(cost.rows, "row"), size_text(cost.row_bytes), many(cost.checkpoints, "checkpoint"),
                                size_text(cost.checkpoint_bytes)),
                    Verdict::none, ""});
+  if (cost.contact_bytes > 0)
+    lines.push_back(
+        {"", fmt::format("contacts of every frame, up to {}", size_text(cost.contact_bytes)), Verdict::none, ""});
+  if (cost.average_files > 0)
+    lines.push_back(
+        {"", fmt::format("{} of averages, {} in all", many(cost.average_files, "file"), size_text(cost.average_bytes)),
+         Verdict::none, ""});
   if (!place) {
     lines.push_back({"disk", "up to " + size_text(cost.disk), Verdict::none, ""});
     return;

@@ -28,34 +28,49 @@ sc_vec point_of(const ParticleSystem& s, const ContactForce& c) {
   return sc_make_vec(at[0], at[1], at[2]);
 }
 
-}  // namespace
-
-std::vector<FrameColumn> contact_columns(const Sample& sample) {
+/// What a file tells of contacts, one value or vector for each.
+struct ContactTable {
   std::vector<std::int64_t> first, second;
   std::vector<std::int32_t> wall;
   std::vector<double> position, normal, force, normal_force, tangential_force;
-  for (const ContactForce& c : contact_forces(sample)) {
-    first.push_back(c.first_id);
-    second.push_back(c.second_id);
-    wall.push_back(c.wall);
-    append(position, point_of(sample.system, c));
-    append(normal, c.normal);
-    append(force, c.force);
-    normal_force.push_back(-sc_dot(c.force, c.normal));
-    append(tangential_force, sc_reject(c.force, c.normal));
-  }
+};
+
+std::vector<FrameColumn> columns_of(ContactTable t) {
   std::vector<FrameColumn> out;
-  out.push_back(column("first", "1", "Id of the first particle, the lower one.", std::move(first), 1));
-  out.push_back(column("second", "1", "Id of the second particle; -1 at a wall.", std::move(second), 1));
+  out.push_back(column("first", "1", "Id of the first particle, the lower one.", std::move(t.first), 1));
+  out.push_back(column("second", "1", "Id of the second particle; -1 at a wall.", std::move(t.second), 1));
   out.push_back(
-      column("wall", "1", "Place of the wall in the case, from 0; -1 between particles.", std::move(wall), 1));
-  out.push_back(column("position", "m", "Contact point, inside the periodic box.", std::move(position), 3));
-  out.push_back(column("normal", "1", "Unit vector from the first to the second.", std::move(normal), 3));
-  out.push_back(column("force", "N", "On the first particle.", std::move(force), 3));
-  out.push_back(column("normal_force", "N", "Along the normal, positive when pressed.", std::move(normal_force), 1));
+      column("wall", "1", "Place of the wall in the case, from 0; -1 between particles.", std::move(t.wall), 1));
+  out.push_back(column("position", "m", "Contact point, inside the periodic box.", std::move(t.position), 3));
+  out.push_back(column("normal", "1", "Unit vector from the first to the second.", std::move(t.normal), 3));
+  out.push_back(column("force", "N", "On the first particle.", std::move(t.force), 3));
+  out.push_back(column("normal_force", "N", "Along the normal, positive when pressed.", std::move(t.normal_force), 1));
   out.push_back(
-      column("tangential_force", "N", "Part of the force across the normal.", std::move(tangential_force), 3));
+      column("tangential_force", "N", "Part of the force across the normal.", std::move(t.tangential_force), 3));
   return out;
+}
+
+}  // namespace
+
+std::vector<FrameColumn> contact_columns(const Sample& sample) {
+  ContactTable table;
+  for (const ContactForce& c : contact_forces(sample)) {
+    table.first.push_back(c.first_id);
+    table.second.push_back(c.second_id);
+    table.wall.push_back(c.wall);
+    append(table.position, point_of(sample.system, c));
+    append(table.normal, c.normal);
+    append(table.force, c.force);
+    table.normal_force.push_back(-sc_dot(c.force, c.normal));
+    append(table.tangential_force, sc_reject(c.force, c.normal));
+  }
+  return columns_of(std::move(table));
+}
+
+std::size_t file_bytes_per_contact() {
+  std::size_t bytes = sizeof(std::int32_t);  // of the list of vertices
+  for (const FrameColumn& c : columns_of({})) bytes += c.values.columns * element_size(c.values.element);
+  return bytes;
 }
 
 }  // namespace scree

@@ -1,6 +1,7 @@
 // The fields of a file of contacts.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "scree/output/frames.h"
@@ -10,5 +11,8 @@ namespace scree {
 
 /// A column for every field of all contacts of a sample that has their forces. The columns own their values.
 std::vector<FrameColumn> contact_columns(const Sample& sample);
+
+/// Bytes that one contact takes in a file, uncompressed, the list of vertices included.
+std::size_t file_bytes_per_contact();
 
 }  // namespace scree

@@ -69,7 +69,10 @@ struct DerivedCost {
   double memory = 0;                                            // [bytes]
   std::uint64_t frames = 0, rows = 0, checkpoints = 0;          // of the series, the tracks included
   double frame_bytes = 0, row_bytes = 0, checkpoint_bytes = 0;  // of one; frames uncompressed
-  double disk = 0;  // all frames and rows, and three checkpoints: a third is written before the oldest goes [bytes]
+  double contact_bytes = 0;                                     // of the contacts beside one frame, if they are written
+  std::uint64_t average_files = 0;                              // of all [[analysis.averages]]
+  double average_bytes = 0;                                     // of all these files together
+  double disk = 0;  // all of it, and three checkpoints: a third is written before the oldest goes [bytes]
 };
 
 struct Derived {

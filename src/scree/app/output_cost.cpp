@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "scree/analysis/averages.h"
 #include "scree/app/columns.h"
+#include "scree/app/contact_fields.h"
 #include "scree/app/derived.h"
 #include "scree/app/frame_fields.h"
 
@@ -13,11 +15,39 @@ namespace fs = std::filesystem;
 
 constexpr double bytes_per_number = 20;         // of a table: the digits of a double and a comma
 constexpr double bytes_per_contact = 11 * 8;    // of a checkpoint: two ids and the memory
-constexpr double bytes_per_frame_file = 8e3;    // attributes and headers
+constexpr double bytes_per_frame_file = 8e3;    // attributes and headers, also of contacts and of averages
 constexpr std::size_t checkpoints_at_once = 3;  // the last two, and the next while it is written
 
 /// How often something is written every `interval` seconds, without the first time.
 std::uint64_t times(double end, double interval) { return static_cast<std::uint64_t>(end / interval * (1 + 1e-9)); }
+
+double bytes_per_cell() {
+  std::size_t components = 0;
+  for (const AverageField& f : fields_of(start_averages(CellGrid3{})))
+    components += static_cast<std::size_t>(f.components);
+  return static_cast<double>(components * sizeof(double));
+}
+
+/// Files that the averages make: one for each window that holds a sample, the last one cut by the end of the run.
+std::uint64_t files_of(const AverageKeys& average, double end) {
+  if (average.from > end) return 0;
+  const double span = end - average.from;
+  if (!(average.window > 0) || average.window >= span) return 1;
+  const std::uint64_t whole = times(span, average.window);
+  // A sample at the end of a window belongs to it, so that a window begun needs a later one.
+  const double last_sample = static_cast<double>(times(span, average.every)) * average.every;
+  return whole + (last_sample > static_cast<double>(whole) * average.window * (1 + 1e-9) ? 1 : 0);
+}
+
+void add_average_cost(const Case& c, DerivedCost& cost) {
+  for (const AverageKeys& average : c.analysis.averages) {
+    double cells = 1;
+    for (const std::uint64_t along : average.cells) cells *= static_cast<double>(along);
+    const std::uint64_t files = files_of(average, c.simulation.end);
+    cost.average_files += files;
+    cost.average_bytes += static_cast<double>(files) * (cells * bytes_per_cell() + bytes_per_frame_file);
+  }
+}
 
 }  // namespace
 
@@ -33,8 +63,14 @@ void add_output_cost(const Case& c, double steps, DerivedCost& cost) {
   cost.row_bytes =
       bytes_per_number * static_cast<double>(series_columns(c).size() + output.tracks.size() * track_columns().size());
   cost.checkpoint_bytes = n * (cost.bytes_per_particle + cost.pairs_per_particle * bytes_per_contact);
+  // Every candidate counts as a contact: more than touch, which leaves room for those with walls.
+  if (output.contacts)
+    cost.contact_bytes =
+        n * cost.pairs_per_particle * static_cast<double>(file_bytes_per_contact()) + bytes_per_frame_file;
+  add_average_cost(c, cost);
   cost.disk =
-      static_cast<double>(cost.frames) * cost.frame_bytes + static_cast<double>(cost.rows) * cost.row_bytes +
+      static_cast<double>(cost.frames) * (cost.frame_bytes + cost.contact_bytes) + cost.average_bytes +
+      static_cast<double>(cost.rows) * cost.row_bytes +
       static_cast<double>(std::min<std::uint64_t>(checkpoints_at_once, cost.checkpoints)) * cost.checkpoint_bytes;
 }
 
