@@ -89,6 +89,15 @@ SC_FN real sc_log(real x) {
   return x < sc_infinity() ? finite : x;
 }
 
+/// x^y of a positive normal number with |y log(x)| below 700, faster than sc_pow: the relative error is about
+/// (1 + |y log(x)|) units in the last place, so that of a result below 1 is of the order of a unit of 1.
+SC_FN real sc_quick_pow(real x, real y) {
+  const real log = y * sc_log(x);
+  const real k = sc_round(log * R(1.4426950408889634074));
+  const real r = (log - k * SC_LN2_HIGH) - k * SC_LN2_LOW;
+  return (R(1) + sc_exp_series(r)) * sc_power_of_two(k);
+}
+
 /// Cube root of a number not negative.
 SC_FN real sc_cbrt(real x) {
   const real y = sc_exp(sc_log(x) * R(1.0 / 3.0));

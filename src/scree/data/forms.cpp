@@ -1,0 +1,71 @@
+#include "scree/data/forms.h"
+
+#include <algorithm>
+
+#include "scree/physics/math.h"
+
+namespace scree {
+namespace {
+
+/// log of the gamma function for x > 0: Stirling's series above 10, and the recurrence below. With the logarithm of
+/// physics/math.h, so that the mass of a body has the same bits with every library.
+double log_gamma(double x) {
+  double below = 1;
+  for (; x < 10; x += 1) below *= x;
+  const double i = 1 / x, i2 = i * i;
+  const double series =
+      i * (1. / 12 +
+           i2 * (-1. / 360 +
+                 i2 * (1. / 1260 + i2 * (-1. / 1680 + i2 * (1. / 1188 + i2 * (-691. / 360360 + i2 * (1. / 156)))))));
+  return (((x - 0.5) * sc_log(x) - x) + (0.91893853320467274178 - sc_log(below))) + series;
+}
+
+double beta(double x, double y) { return sc_exp((log_gamma(x) - log_gamma(x + y)) + log_gamma(y)); }
+
+/// The farthest point of a curve |x/a|^(2/e) + |y/b|^(2/e) = 1 from its centre.
+double farthest(double a, double b, double e) {
+  const double larger = std::max(a, b), smaller = std::min(a, b);
+  if (e >= 1) return larger;
+  const double ratio = sc_pow(smaller / larger, 2 / (1 - e));
+  return larger * sc_pow(1 + ratio, 0.5 * (1 - e));
+}
+
+}  // namespace
+
+double bounding_radius(const Axes& half_axes, double e1, double e2) {
+  return farthest(farthest(half_axes[0], half_axes[1], e2), half_axes[2], e1);
+}
+
+double superellipsoid_volume(const Axes& half_axes, double e1, double e2) {
+  const auto [a, b, c] = half_axes;
+  if (e1 == 1 && e2 == 1) return 4.1887902047863909846 * (a * b * c);
+  return 2 * (a * b * c) * (e1 * e2) * (beta(0.5 * e1 + 1, e1) * beta(0.5 * e2, 0.5 * e2));
+}
+
+Axes superellipsoid_inertia(const Axes& half_axes, double e1, double e2) {
+  const auto [a, b, c] = half_axes;
+  double plane = 0.2, axis = 0.2;  // mean of (x/a)^2, of (z/c)^2
+  if (e1 != 1 || e2 != 1) {
+    const double volume = 2 * beta(0.5 * e1 + 1, e1) * beta(0.5 * e2, 0.5 * e2);
+    plane = 0.5 * beta(1.5 * e2, 0.5 * e2) * beta(0.5 * e1, 2 * e1 + 1) / volume;
+    axis = 2 * beta(0.5 * e2, 0.5 * e2 + 1) * beta(1.5 * e1, e1 + 1) / volume;
+  }
+  const double x = plane * a * a, y = plane * b * b, z = axis * c * c;
+  return {y + z, x + z, x + y};
+}
+
+Form make_form(const Axes& half_axes, double e1, double e2) {
+  const double radius = bounding_radius(half_axes, e1, e2);
+  const Axes axes{half_axes[0] / radius, half_axes[1] / radius, half_axes[2] / radius};
+  Form form;
+  form.shape = sc_make_form(sc_make_vec(axes[0], axes[1], axes[2]), e1, e2);
+  form.exponents = {e1, e2};
+  form.volume = superellipsoid_volume(axes, e1, e2);
+  form.inertia = superellipsoid_inertia(axes, e1, e2);
+  form.equivalent_radius = form.shape.is_sphere ? 1 : sc_cbrt(form.volume / 4.1887902047863909846);
+  return form;
+}
+
+Form sphere_form() { return make_form({1, 1, 1}, 1, 1); }
+
+}  // namespace scree
