@@ -81,8 +81,8 @@ typedef struct {
 /// The first axis of the frame turns as if the body had inertia about that one alone; exact for this part of the
 /// energy.
 SC_FN sc_top sc_turn_first_axis(sc_top t, real inverse_moment, real dt) {
-  const real half = R(0.5) * dt * inverse_moment * t.l.x;
-  const real c = sc_cos(half), s = sc_sin(half);
+  const real half_angle = R(0.5) * dt * inverse_moment * t.l.x;
+  const real c = sc_cos(half_angle), s = sc_sin(half_angle);
   const real sine = R(2) * s * c, less = R(2) * s * s;  // of the whole angle; 1 - cosine
   sc_top out;
   out.q.w = t.q.w * c - t.q.x * s;
