@@ -35,4 +35,13 @@ SC_FN sc_vec sc_turn_back(sc_mat m, sc_vec v) {
   return sc_add_scaled(sc_add_scaled(sc_scale(v.x, m.x), v.y, m.y), v.z, m.z);
 }
 
+/// The transpose of a times b: for rotations, b as it is seen from a.
+SC_FN sc_mat sc_turn_between(sc_mat a, sc_mat b) {
+  sc_mat m;
+  m.x = sc_add_scaled(sc_add_scaled(sc_scale(a.x.x, b.x), a.y.x, b.y), a.z.x, b.z);
+  m.y = sc_add_scaled(sc_add_scaled(sc_scale(a.x.y, b.x), a.y.y, b.y), a.z.y, b.z);
+  m.z = sc_add_scaled(sc_add_scaled(sc_scale(a.x.z, b.x), a.y.z, b.y), a.z.z, b.z);
+  return m;
+}
+
 #endif

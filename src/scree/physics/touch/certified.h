@@ -1,0 +1,115 @@
+// Whether two superellipsoids touch, with a proof, and how.
+//
+// Newton's method from the last point or from the line of centres; where it does not come to a verdict the portal, and
+// Newton's method again from what that has found. Nothing is left open.
+#ifndef SCREE_PHYSICS_TOUCH_CERTIFIED_H
+#define SCREE_PHYSICS_TOUCH_CERTIFIED_H
+
+#include "scree/physics/touch/portal.h"
+
+/// How two bodies meet, in the frame of A.
+typedef struct {
+  int verdict;
+  real low, high;         // proven bracket of the growth distance
+  real growth;            // best estimate of it
+  sc_growth_point start;  // for the next solve: the contact point from the centre of A [m], and the weight of B
+  sc_vec normal;          // unit, from A to B
+  real support;           // h_A(n) + h_B(-n) [m]: distance of the centres along n where the bodies just touch
+  int looks;              // evaluations that it took
+} sc_growth_touch;
+
+enum { SC_GROWTH_LOOKS = 40, SC_GROWTH_REFINEMENTS = 60 };
+
+SC_FN sc_growth_search sc_growth_run(sc_growth_pair p, sc_growth_point start) {
+  sc_growth_search s = sc_growth_search_from(start);
+  for (int i = 0; i < SC_GROWTH_LOOKS && s.verdict == SC_GROWTH_OPEN; ++i) s = sc_growth_advance(p, s);
+  return s;
+}
+
+/// What a search has ended with.
+SC_FN sc_growth_touch sc_growth_touch_of(sc_growth_pair p, sc_growth_search s) {
+  const sc_growth_look look = sc_grow(p, s.at);
+  const real length = SC_SQRT(sc_dot(look.normal, look.normal));
+  const real inverse = R(1) / SC_MAX(length, SC_TINY);
+  sc_growth_touch out;
+  out.verdict = s.verdict;
+  out.low = s.low;
+  out.high = s.high;
+  out.growth = look.growth;
+  out.start = s.at;
+  out.normal = sc_scale(inverse, look.normal);
+  out.support = look.weight * inverse;
+  out.looks = s.looks;
+  return out;
+}
+
+/// What the portal has ended with.
+SC_FN sc_growth_touch sc_growth_touch_of_portal(sc_growth_pair p, const sc_portal* portal, real low, real high) {
+  const real inverse = R(1) / sc_norm(portal->best);
+  sc_growth_touch out;
+  const int touching = high < R(1) - p.rounding;
+  const int verdict = sc_growth_verdict(low, high, p.rounding);
+  out.verdict = verdict != SC_GROWTH_OPEN ? verdict : (touching ? SC_GROWTH_TOUCHING : SC_GROWTH_GRAZING);
+  out.low = low;
+  out.high = high;
+  out.growth = portal->low;
+  out.start = sc_portal_point(portal);
+  out.normal = sc_scale(inverse, portal->best);
+  out.support = sc_dot(out.normal, p.branch) / portal->low;
+  out.looks = 0;
+  return out;
+}
+
+/// The portal with Newton's method from its points.
+SC_FN sc_growth_touch sc_growth_by_portal(sc_growth_pair p, real low, real high) {
+  sc_portal portal = sc_portal_start(p);
+  real width = R(1e-2);
+  for (int i = 0; i < SC_GROWTH_REFINEMENTS; ++i) {
+    const int changed = sc_portal_refine(&portal, p);
+    low = SC_MAX(low, portal.low);
+    const real bound = sc_grow(p, sc_portal_point(&portal)).high;
+    high = SC_MIN(high, bound);
+    const int verdict = sc_growth_verdict(low, high, p.rounding);
+    if (verdict == SC_GROWTH_APART || verdict == SC_GROWTH_GRAZING) break;
+    if (changed && sc_portal_high(&portal) - portal.low > width * portal.low) continue;
+    width = R(1e-2) * width;
+    sc_growth_search s = sc_growth_run(p, sc_portal_point(&portal));
+    low = s.low = SC_MAX(low, s.low);
+    high = s.high = SC_MIN(high, s.high);
+    if (s.verdict != SC_GROWTH_OPEN) {
+      sc_growth_touch out = sc_growth_touch_of(p, s);
+      out.looks = 1000 + i;
+      return out;
+    }
+    if (!changed) break;
+  }
+  sc_growth_touch out = sc_growth_touch_of_portal(p, &portal, low, high);
+  out.looks = 2000;
+  return out;
+}
+
+/// Bodies with the same centre: there is no direction, so it is that of the x axis of A.
+SC_FN sc_growth_touch sc_growth_concentric(sc_growth_pair p) {
+  sc_growth_touch out;
+  const sc_vec x = sc_make_vec(R(1), R(0), R(0));
+  const sc_portal_column c = sc_portal_column_of(p, x);
+  out.verdict = SC_GROWTH_TOUCHING;
+  out.low = out.high = out.growth = R(0);
+  out.start.point = sc_zero_vec();
+  out.start.share = R(0.5);
+  out.normal = x;
+  out.support = c.height;
+  out.looks = 0;
+  return out;
+}
+
+/// How two bodies meet. `start` may be where the solver ended before; `warm` says whether it is.
+SC_FN sc_growth_touch sc_growth_solve(sc_growth_pair p, int warm, sc_growth_point start) {
+  if (!(sc_norm(p.branch) > R(1e-12) * p.radius_b)) return sc_growth_concentric(p);
+  sc_growth_search s = sc_growth_run(p, warm ? start : sc_growth_cold(p));
+  if (s.verdict == SC_GROWTH_OPEN && warm) s = sc_growth_run(p, sc_growth_cold(p));
+  if (s.verdict == SC_GROWTH_OPEN) return sc_growth_by_portal(p, s.low, s.high);
+  return sc_growth_touch_of(p, s);
+}
+
+#endif

@@ -1,0 +1,210 @@
+// Growth distance of two superellipsoids: the factor by which both have to be scaled about their centres to touch
+// (Perram and Wertheim 1985 for ellipsoids; Ong and Gilbert 1996). Below 1 they overlap, above 1 they are apart.
+//
+//   growth = min over x of max(gauge_A(x), gauge_B(x - d)) = max over n of n.d / (h_A(n) + h_B(-n))
+//
+// Newton's method for the minimum, in the unknowns x and t with phi = gauge^2/2 and gradients g:
+//
+//   (1 - t) g_A + t g_B = 0,   phi_A = phi_B.
+//
+// Every evaluation proves a bracket. Above: the larger gauge. Below: the support value of a gauge's gradient is 1, so
+// with n = (1 - t) g_A, the residual r = (1 - t) g_A + t g_B and the bounding radius R_B of B
+//
+//   h_A(n) + h_B(-n) <= W + R_B |r|,   W = (1 - t) gauge_A + t gauge_B.
+//
+// Steps that do not reduce the misfit of the equations are halved. Everything is written without branches, so that a
+// loop over pairs vectorises with the same bits.
+#ifndef SCREE_PHYSICS_TOUCH_GROWTH_H
+#define SCREE_PHYSICS_TOUCH_GROWTH_H
+
+#include "scree/physics/shape/superellipsoid.h"
+#include "scree/physics/symmetric.h"
+
+/// Two bodies in the frame of the first, which is not the smaller one.
+typedef struct {
+  sc_vec scale_a, scale_b;  // inverse half axes [1/m]
+  sc_exponents gauge_a, gauge_b;
+  sc_mat turn;    // from the frame of B to that of A
+  sc_vec branch;  // from the centre of A to that of B [m]
+  real radius_b;  // bounding radius of B [m]
+  real rounding;  // what rounding may do to a gauge
+} sc_growth_pair;
+
+/// What is known of a pair: nothing yet; they touch, and the point is good enough for a force; they are apart; they
+/// neither touch nor are they apart within 1e-12 of their size, which counts as apart.
+enum { SC_GROWTH_OPEN = 0, SC_GROWTH_TOUCHING = 1, SC_GROWTH_APART = 2, SC_GROWTH_GRAZING = 3 };
+
+/// Width of the bracket, as a part of it, that a force needs: the normal is then as exact, and the growth distance to
+/// its square.
+#define SC_GROWTH_WIDTH R(1e-9)
+/// Width at which the bodies count as grazing.
+#define SC_GROWTH_GRAZE R(1e-12)
+
+/// Where the solver is: a point from the centre of A, in the frame of A, and the weight of B.
+typedef struct {
+  sc_vec point;  // [m]
+  real share;
+} sc_growth_point;
+
+/// What an evaluation found.
+typedef struct {
+  real low, high;        // proven bracket of the growth distance
+  real misfit;           // square of what is left of the equations, dimensionless
+  sc_growth_point step;  // the way to the next point
+  sc_vec normal;         // (1 - t) g_A [1/m], towards B
+  real weight;           // W: support value of both bodies in that direction, but for the residual
+  real growth;           // estimate of the growth distance, exact to second order in the residual
+} sc_growth_look;
+
+SC_FN sc_symmetric sc_add_hessian(sc_symmetric m, real weight, sc_norm_value g) {
+  m = sc_add_dyad(m, weight, g.gradient);
+  m = sc_add_dyad(m, weight * g.value * g.inner_bend, g.inner);
+  return sc_add_dyad(m, weight * g.value * g.outer_bend, g.outer);
+}
+
+/// The gauge of B at a point in the frame of A, with derivatives in that frame.
+SC_FN sc_norm_value sc_growth_gauge_b(sc_growth_pair p, sc_vec x) {
+  sc_norm_value b = sc_nested_norm(p.scale_b, p.gauge_b, sc_turn_back(p.turn, sc_sub(x, p.branch)));
+  b.gradient = sc_turn(p.turn, b.gradient);
+  b.inner = sc_turn(p.turn, b.inner);
+  b.outer = sc_turn(p.turn, b.outer);
+  return b;
+}
+
+/// One evaluation of both bodies at a point.
+SC_FN sc_growth_look sc_grow(sc_growth_pair p, sc_growth_point at) {
+  const sc_norm_value a = sc_nested_norm(p.scale_a, p.gauge_a, at.point);
+  const sc_norm_value b = sc_growth_gauge_b(p, at.point);
+  const real t = at.share, s = R(1) - t;
+  sc_growth_look out;
+  const sc_vec ga = sc_scale(a.value, a.gradient), gb = sc_scale(b.value, b.gradient);
+  const sc_vec rest = sc_add(sc_scale(s, ga), sc_scale(t, gb));
+  const sc_vec apart = sc_sub(ga, gb);
+  const real uneven = R(0.5) * (a.value - b.value) * (a.value + b.value);
+  // The bracket.
+  out.normal = sc_scale(s, ga);
+  out.weight = s * a.value + t * b.value;
+  const real rest_square = sc_dot(rest, rest);
+  out.low = sc_dot(out.normal, p.branch) / (out.weight + p.radius_b * SC_SQRT(rest_square));
+  out.high = SC_MAX(a.value, b.value);
+  out.growth = SC_SQRT(s * (a.value * a.value) + t * (b.value * b.value));
+  out.misfit = rest_square / sc_dot(out.normal, out.normal) + uneven * uneven / (out.growth * out.growth);
+  // The step.
+  sc_symmetric m = sc_add_hessian(sc_zero_symmetric(), s, a);
+  m = sc_add_hessian(m, t, b);
+  const real lift = R(1e-8) * (m.xx + m.yy + m.zz);
+  m.xx = m.xx + lift;
+  m.yy = m.yy + lift;
+  m.zz = m.zz + lift;
+  const sc_factors f = sc_factorise(m);
+  const sc_vec down = sc_solve(f, rest), across = sc_solve(f, apart);
+  const real dt = (sc_dot(apart, down) - uneven) / sc_dot(apart, across);
+  // The weight stays between 0 and 1, and the point on the same side of things.
+  const real share = SC_MIN(SC_MAX(t + dt, R(0.1) * t), R(1) - R(0.1) * s);
+  out.step.share = share - t;
+  out.step.point = sc_add_scaled(sc_scale(R(-1), down), dt, across);
+  return out;
+}
+
+SC_FN real sc_growth_rounding(sc_vec scale_a, sc_vec scale_b, sc_vec branch) {
+  const real a = SC_MAX(SC_MAX(scale_a.x, scale_a.y), scale_a.z);
+  const real b = SC_MAX(SC_MAX(scale_b.x, scale_b.y), scale_b.z);
+  return R(1e-15) * (R(2) + SC_MAX(a, b) * sc_norm(branch));
+}
+
+/// The pair of two forms with their bounding radii, that of A not below that of B.
+SC_FN sc_growth_pair sc_make_growth_pair(sc_form a, real radius_a, sc_form b, real radius_b, sc_mat turn,
+                                         sc_vec branch) {
+  sc_growth_pair p;
+  p.scale_a = sc_scale(R(1) / radius_a, a.inverse_axes);
+  p.scale_b = sc_scale(R(1) / radius_b, b.inverse_axes);
+  p.gauge_a = a.gauge;
+  p.gauge_b = b.gauge;
+  p.turn = turn;
+  p.branch = branch;
+  p.radius_b = radius_b;
+  p.rounding = sc_growth_rounding(p.scale_a, p.scale_b, branch);
+  return p;
+}
+
+/// What a bracket says.
+SC_FN int sc_growth_verdict(real low, real high, real rounding) {
+  const real width = high - low;
+  const int apart = low > R(1) + rounding;
+  const int touching = (high < R(1) - rounding) & ((width < SC_GROWTH_WIDTH * high) | (width < SC_GROWTH_GRAZE));
+  const int grazing = width < SC_GROWTH_GRAZE;
+  return apart ? SC_GROWTH_APART : (touching ? SC_GROWTH_TOUCHING : (grazing ? SC_GROWTH_GRAZING : SC_GROWTH_OPEN));
+}
+
+/// Newton's method on its way.
+typedef struct {
+  sc_growth_point at;          // to look at next
+  sc_growth_point base, step;  // the last good point and the way from there
+  real fraction, misfit;       // how much of the way was taken, and the misfit at the good point
+  real low, high;              // bracket so far
+  int verdict;
+  int looks;
+} sc_growth_search;
+
+SC_FN sc_growth_search sc_growth_search_from(sc_growth_point start) {
+  sc_growth_search s;
+  s.at = s.base = start;
+  s.step.point = sc_zero_vec();
+  s.step.share = R(0);
+  s.fraction = R(1);
+  s.misfit = R(1e30);
+  s.low = R(0);
+  s.high = R(1e30);
+  s.verdict = SC_GROWTH_OPEN;
+  s.looks = 0;
+  return s;
+}
+
+/// One evaluation and the way to the next. A search with a verdict stays where it is.
+SC_FN sc_growth_search sc_growth_advance(sc_growth_pair p, sc_growth_search s) {
+  const sc_growth_look look = sc_grow(p, s.at);
+  const int open = s.verdict == SC_GROWTH_OPEN;
+  const real low = SC_MAX(s.low, look.low), high = SC_MIN(s.high, look.high);
+  const int verdict = sc_growth_verdict(low, high, p.rounding);
+  // The point that the verdict was found at is kept.
+  const int moves = open & (verdict == SC_GROWTH_OPEN);
+  const int good = moves & ((look.misfit < (R(1) - R(1e-4) * s.fraction) * s.misfit) | (s.fraction < R(1e-3)));
+  // A step may not be longer than a quarter of the smaller body.
+  const real length = SC_SQRT(sc_dot(look.step.point, look.step.point));
+  const real longest = R(0.25) * p.radius_b;
+  const real whole = length > longest ? longest / length : R(1);
+  sc_growth_search out;
+  out.base.point.x = good ? s.at.point.x : s.base.point.x;
+  out.base.point.y = good ? s.at.point.y : s.base.point.y;
+  out.base.point.z = good ? s.at.point.z : s.base.point.z;
+  out.base.share = good ? s.at.share : s.base.share;
+  out.step.point.x = good ? look.step.point.x : s.step.point.x;
+  out.step.point.y = good ? look.step.point.y : s.step.point.y;
+  out.step.point.z = good ? look.step.point.z : s.step.point.z;
+  out.step.share = good ? look.step.share : s.step.share;
+  out.misfit = good ? look.misfit : s.misfit;
+  out.fraction = good ? whole : R(0.5) * s.fraction;
+  const sc_vec to = sc_add_scaled(out.base.point, out.fraction, out.step.point);
+  out.at.point.x = moves ? to.x : s.at.point.x;
+  out.at.point.y = moves ? to.y : s.at.point.y;
+  out.at.point.z = moves ? to.z : s.at.point.z;
+  out.at.share = moves ? out.base.share + out.fraction * out.step.share : s.at.share;
+  out.low = open ? low : s.low;
+  out.high = open ? high : s.high;
+  out.verdict = open ? verdict : s.verdict;
+  out.looks = s.looks + open;
+  return out;
+}
+
+/// The point on the line of centres where both gauges are equal, and the weight that is right if the normal is there.
+SC_FN sc_growth_point sc_growth_cold(sc_growth_pair p) {
+  const real a = sc_nested_norm(p.scale_a, p.gauge_a, p.branch).value;
+  const real b = sc_nested_norm(p.scale_b, p.gauge_b, sc_turn_back(p.turn, p.branch)).value;
+  const real inverse = R(1) / (a + b);
+  sc_growth_point out;
+  out.point = sc_scale(b * inverse, p.branch);
+  out.share = a * inverse;
+  return out;
+}
+
+#endif

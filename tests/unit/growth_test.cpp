@@ -1,0 +1,222 @@
+// Certified contact of superellipsoids: pairs with a known growth distance, extremes, near touching, exact symmetry.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "scree/physics/touch/shape_shape.h"
+#include "unit/shape_pairs.h"
+
+namespace scree::pairs {
+namespace {
+
+struct Kind {
+  const char* name;
+  Body a, b;
+};
+
+Body body(const Axes& axes, double n1, double n2, double size = 1) { return {make_form(axes, 2 / n1, 2 / n2), size}; }
+
+/// The thirteen pairs of shapes of the method study, and the extremes.
+std::vector<Kind> kinds() {
+  std::vector<Kind> all;
+  const auto same = [&](const char* name, const Body& a) { all.push_back({name, a, a}); };
+  same("sphere", body({1, 1, 1}, 2, 2));
+  same("ellipsoid", body({1, .7, .5}, 2, 2));
+  same("4,4", body({1, 1, 1}, 4, 4));
+  same("8,2", body({1, 1, 1}, 8, 2));
+  same("8,8", body({1, 1, 1}, 8, 8));
+  same("20,20", body({1, 1, 1}, 20, 20));
+  same("5.3,3.7", body({1, .8, .6}, 5.3, 3.7));
+  same("plate", body({1, 1, .1}, 8, 8));
+  same("rod", body({1, 1, 8}, 8, 2));
+  same("pointed", body({1, 1, 1}, 1.3, 1.3));
+  all.push_back({"cubes 1 : 0.04", body({1, 1, 1}, 8, 8), body({1, 1, 1}, 8, 8, .04)});
+  all.push_back({"ellipsoid, cube", body({1, .7, .5}, 2, 2), body({1, 1, 1}, 8, 8)});
+  all.push_back({"sphere, plate", body({1, 1, 1}, 2, 2), body({1, 1, .1}, 16, 4)});
+  same("e 1.9", body({1, 1, 1}, 2 / 1.9, 2 / 1.9));
+  all.push_back({"e 1.9, e 0.1", body({1, 1, 1}, 2 / 1.9, 2 / 1.9), body({1, 1, 1}, 20, 20)});
+  same("needles 20", body({20, 1, 1}, 20, 20));
+  same("discs 20", body({20, 20, 1}, 20, 2));
+  all.push_back({"e 1.9 disc, small", body({20, 20, 1}, 2 / 1.9, 2 / 1.9), body({20, 20, 1}, 2 / 1.9, 2 / 1.9, .1)});
+  all.push_back({"needle, small cube", body({20, 1, 1}, 2, 2), body({1, 1, 1}, 20, 20, .1)});
+  return all;
+}
+
+sc_growth_touch solve_cold(const sc_growth_pair& p) { return sc_growth_solve(p, 0, sc_growth_point{}); }
+
+/// The verdict is right, the bracket holds the truth, and the normal proves as much as it should.
+void expect_right(const Touching& t, double growth, const char* name) {
+  const sc_growth_pair p = t.at(growth);
+  const sc_growth_touch found = solve_cold(p);
+  ASSERT_EQ(found.verdict, growth < 1 ? SC_GROWTH_TOUCHING : SC_GROWTH_APART)
+      << name << ' ' << growth - 1 << ' ' << found.low - 1 << ' ' << found.high - 1;
+  ASSERT_LE(found.low, growth + p.rounding) << name;
+  ASSERT_GE(found.high, growth - p.rounding) << name;
+  if (growth > 1) return;
+  const Vec n = wide(found.normal), branch = wide(p.branch);
+  ASSERT_NEAR(static_cast<double>(dot(n, n)), 1, 1e-14) << name;
+  ASSERT_NEAR(found.growth, growth, 1e-9) << name;
+  ASSERT_NEAR(static_cast<double>(found.support / t.support(n)), 1, 1e-8) << name;
+  ASSERT_GT(static_cast<double>(dot(n, branch) / t.support(n)), growth - 2e-9) << name;
+  // Both bodies, scaled by the growth distance, have the point.
+  const Vec x = wide(found.start.point);
+  ASSERT_LT(static_cast<double>(t.a.gauge(x)), growth + 2e-9) << name;
+  ASSERT_LT(static_cast<double>(t.b.gauge(turn_back(t.turn, x - branch))), growth + 2e-9) << name;
+}
+
+TEST(Growth, OverlapsAndGapsOfEveryKind) {
+  std::mt19937_64 random(1);
+  for (const Kind& k : kinds())
+    for (int i = 0; i < 60; ++i) {
+      const Touching t = any_touching(k.a, k.b, random);
+      for (const double growth : {0.98, 0.995, 1.005, 1.02}) expect_right(t, growth, k.name);
+    }
+}
+
+TEST(Growth, DeepAndFar) {
+  std::mt19937_64 random(2);
+  for (const Kind& k : kinds())
+    for (int i = 0; i < 30; ++i) {
+      const Touching t = any_touching(k.a, k.b, random);
+      for (const double growth : {1e-3, 0.1, 0.5, 0.8, 1.5, 3.0}) expect_right(t, growth, k.name);
+    }
+}
+
+TEST(Growth, NearTouching) {
+  std::mt19937_64 random(3);
+  for (const Kind& k : kinds())
+    for (int i = 0; i < 40; ++i) {
+      const Touching t = any_touching(k.a, k.b, random);
+      const double near = std::pow(10, -11 + 8 * uniform_draw(random)) * (t.a.radius / t.b.radius);
+      expect_right(t, 1 - near, k.name);
+      expect_right(t, 1 + near, k.name);
+    }
+}
+
+/// Least support value over directions with n.d = 1, by two nested golden sections: 1 over the growth distance.
+double slow_growth(const Touching& t, Vec branch) {
+  const Vec along = unit(branch);
+  const Vec across = unit(std::abs(along.x) < 0.6L ? Vec{0, along.z, -along.y} : Vec{along.y, -along.x, 0});
+  const Vec third{along.y * across.z - along.z * across.y, along.z * across.x - along.x * across.z,
+                  along.x * across.y - along.y * across.x};
+  const Real length = std::sqrt(dot(branch, branch));
+  const auto golden = [](auto f, Real a, Real b) {
+    const Real ratio = (std::sqrt(5.0L) - 1) / 2;
+    Real c = b - ratio * (b - a), d = a + ratio * (b - a), fc = f(c), fd = f(d);
+    for (int i = 0; i < 70; ++i) {
+      if (fc < fd) {
+        b = d, d = c, fd = fc, c = b - ratio * (b - a), fc = f(c);
+      } else {
+        a = c, c = d, fc = fd, d = a + ratio * (b - a), fd = f(d);
+      }
+    }
+    return std::min(fc, fd);
+  };
+  const auto inner = [&](Real u) {
+    return golden([&](Real v) { return t.support(along + u * across + v * third); }, -30.0L, 30.0L);
+  };
+  return static_cast<double>(length / golden(inner, -30.0L, 30.0L));
+}
+
+TEST(Growth, AsASlowSearchOverDirectionsFinds) {
+  std::mt19937_64 random(4);
+  for (const Kind& k : kinds()) {
+    if (k.a.form.half_axes()[2] < 0.1) continue;  // the search looks at a part of all directions only
+    const Touching t = any_touching(k.a, k.b, random);
+    const Vec branch = (k.a.radius + k.b.radius) * any_direction(random);
+    const double slow = slow_growth(t, branch);
+    const sc_growth_pair p = sc_make_growth_pair(k.a.form.shape, k.a.radius, k.b.form.shape, k.b.radius, t.turn,
+                                                 narrow(0.9L / slow * branch));
+    EXPECT_NEAR(solve_cold(p).growth, 0.9, 1e-9) << k.name;
+  }
+}
+
+TEST(Growth, WarmStartsFindTheSame) {
+  std::mt19937_64 random(5);
+  for (const Kind& k : kinds())
+    for (int i = 0; i < 30; ++i) {
+      const Touching t = any_touching(k.a, k.b, random);
+      const sc_growth_point start = solve_cold(t.at(0.99)).start;
+      const sc_growth_touch cold = solve_cold(t.at(0.9901)), warm = sc_growth_solve(t.at(0.9901), 1, start);
+      ASSERT_EQ(warm.verdict, SC_GROWTH_TOUCHING) << k.name;
+      ASSERT_NEAR(warm.growth, cold.growth, 2e-9) << k.name;
+      // From nonsense too.
+      sc_growth_point nonsense;
+      nonsense.point = narrow(10 * any_direction(random));
+      nonsense.share = 0.999;
+      ASSERT_EQ(sc_growth_solve(t.at(0.9901), 1, nonsense).verdict, SC_GROWTH_TOUCHING) << k.name;
+      ASSERT_EQ(sc_growth_solve(t.at(1.01), 1, nonsense).verdict, SC_GROWTH_APART) << k.name;
+    }
+}
+
+TEST(Growth, ConcentricBodiesTouch) {
+  const Body a = body({1, .7, .5}, 8, 2);
+  for (const double shift : {0.0, 1e-300, 1e-15, 1e-9}) {
+    const sc_growth_pair p =
+        sc_make_growth_pair(a.form.shape, 1, a.form.shape, 1, turn_of(1, .2, .3, .4), sc_make_vec(shift, shift, 0));
+    const sc_growth_touch found = solve_cold(p);
+    EXPECT_EQ(found.verdict, SC_GROWTH_TOUCHING) << shift;
+    EXPECT_NEAR(found.growth, 0, 1e-8) << shift;
+    EXPECT_NEAR(sc_norm(found.normal), 1, 1e-14) << shift;
+    EXPECT_TRUE(std::isfinite(found.support)) << shift;
+  }
+}
+
+TEST(Growth, FacesEdgesAndCornersOfCubes) {
+  for (const double n : {8.0, 20.0, 5.3}) {
+    const Body cube = body({1, 1, 1}, n, n);
+    const double a = cube.form.half_axes()[0];
+    const sc_mat straight = turn_of(1, 0, 0, 0), eighth = turn_of(std::cos(M_PI / 8), 0, 0, std::sin(M_PI / 8));
+    for (const sc_mat& m : {straight, eighth})
+      for (const Vec& n0 : {Vec{1, 0, 0}, Vec{0, 0, 1}, unit({1, 1, 0}), unit({1, 0, 1}), unit({1, 1, 1})}) {
+        const Touching t = touching(cube, cube, m, n0);
+        for (const double growth : {0.9, 0.999, 1.001, 1.1}) expect_right(t, growth, "cube");
+      }
+    // A face that slides along another.
+    for (const double y : {0.0, 0.1 * a, 0.5 * a, 0.9 * a}) {
+      Touching t = touching(cube, cube, straight, {1, 0, 0});
+      t.branch = t.branch + Vec{0, y, 0.3L * y};
+      const sc_growth_touch found = solve_cold(t.at(0.99));
+      EXPECT_EQ(found.verdict, SC_GROWTH_TOUCHING);
+      EXPECT_NEAR(static_cast<double>(dot(wide(found.normal), 0.99L * t.branch) / t.support(wide(found.normal))),
+                  found.growth, 2e-9);
+    }
+  }
+}
+
+sc_body_shape shape_of(const Body& b, const sc_mat& turn_b) { return {b.form.shape, b.radius, turn_b}; }
+
+TEST(Growth, InTheWorldAsInTheFrameOfABody) {
+  std::mt19937_64 random(6);
+  for (const Kind& k : kinds()) {
+    const Touching t = any_touching(k.a, k.b, random);
+    const sc_mat w = any_turn(random);
+    sc_mat turn_b;
+    const auto column = [&](double sc_vec::*c) {
+      return sc_turn(w, sc_make_vec(t.turn.x.*c, t.turn.y.*c, t.turn.z.*c));
+    };
+    const sc_vec x = column(&sc_vec::x), y = column(&sc_vec::y), z = column(&sc_vec::z);
+    turn_b.x = sc_make_vec(x.x, y.x, z.x);
+    turn_b.y = sc_make_vec(x.y, y.y, z.y);
+    turn_b.z = sc_make_vec(x.z, y.z, z.z);
+    const sc_vec branch = sc_turn(w, narrow(0.99L * t.branch));
+    const sc_body_shape a = shape_of(k.a, w), b = shape_of(k.b, turn_b);
+    const sc_shape_touch found = sc_touch_shapes(a, b, branch, 0, sc_growth_point{});
+    const sc_growth_touch there = solve_cold(t.at(0.99));
+    ASSERT_EQ(found.verdict, SC_GROWTH_TOUCHING) << k.name;
+    const Vec n = turn_back(w, wide(found.normal));
+    EXPECT_GT(static_cast<double>(dot(n, wide(there.normal))), 1 - 1e-6) << k.name;
+    EXPECT_NEAR(found.overlap, 0.01 * found.support, 1e-8) << k.name;
+    // The smaller body first: the same contact from the other side, and the solver sees the same pair.
+    const sc_shape_touch back = sc_touch_shapes(b, a, sc_scale(-1, branch), 0, sc_growth_point{});
+    if (k.a.radius == k.b.radius) continue;
+    EXPECT_EQ(back.normal.x, -found.normal.x);
+    EXPECT_EQ(back.normal.z, -found.normal.z);
+    EXPECT_EQ(back.overlap, found.overlap);
+    EXPECT_EQ(back.start.share, found.start.share);
+    EXPECT_NEAR(sc_norm(sc_sub(sc_add(back.arm, branch), found.arm)), 0, 1e-15);
+  }
+}
+
+}  // namespace
+}  // namespace scree::pairs

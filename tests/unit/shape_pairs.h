@@ -1,0 +1,121 @@
+// Pairs of superellipsoids whose growth distance and normal are known without any solver: the farthest points of both
+// bodies along a common normal are brought together, so that the plane there separates them. All in long double.
+#pragma once
+
+#include <cmath>
+#include <random>
+
+#include "scree/data/forms.h"
+#include "scree/physics/touch/certified.h"
+
+namespace scree::pairs {
+
+using Real = long double;
+struct Vec {
+  Real x, y, z;
+};
+inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec operator*(Real s, Vec a) { return {s * a.x, s * a.y, s * a.z}; }
+inline Real dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec unit(Vec a) { return (1 / std::sqrt(dot(a, a))) * a; }
+inline Vec wide(sc_vec v) { return {v.x, v.y, v.z}; }
+inline sc_vec narrow(Vec v) {
+  return sc_make_vec(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
+}
+inline Vec turn(const sc_mat& m, Vec v) { return {dot(wide(m.x), v), dot(wide(m.y), v), dot(wide(m.z), v)}; }
+inline Vec turn_back(const sc_mat& m, Vec v) { return v.x * wide(m.x) + v.y * wide(m.y) + v.z * wide(m.z); }
+
+/// A body at its centre, in its own frame.
+struct Body {
+  Form form;
+  double radius = 1;
+
+  Vec axes() const { return static_cast<Real>(radius) * wide(form.shape.axes); }
+
+  /// (|x|^p + |y|^p)^(1/p) without loss.
+  static Real norm(Real x, Real y, Real p) {
+    const Real larger = std::max(x, y), smaller = std::min(x, y);
+    return larger > 0 ? larger * std::pow(1 + std::pow(smaller / larger, p), 1 / p) : 0;
+  }
+  Real gauge(Vec x) const {
+    const Vec a = axes();
+    const Real n1 = 2 / static_cast<Real>(form.exponents[0]), n2 = 2 / static_cast<Real>(form.exponents[1]);
+    return norm(norm(std::abs(x.x) / a.x, std::abs(x.y) / a.y, n2), std::abs(x.z) / a.z, n1);
+  }
+  Real support(Vec n) const {
+    const Vec a = axes();
+    const Real q1 = 2 / (2 - static_cast<Real>(form.exponents[0])), q2 = 2 / (2 - static_cast<Real>(form.exponents[1]));
+    return norm(norm(std::abs(n.x) * a.x, std::abs(n.y) * a.y, q2), std::abs(n.z) * a.z, q1);
+  }
+  /// The point that lies farthest along n.
+  Vec farthest(Vec n) const {
+    const Vec a = axes();
+    const Real q1 = 2 / (2 - static_cast<Real>(form.exponents[0])), q2 = 2 / (2 - static_cast<Real>(form.exponents[1]));
+    const Real x = std::abs(n.x) * a.x, y = std::abs(n.y) * a.y, z = std::abs(n.z) * a.z;
+    const Real r = norm(x, y, q2), h = norm(r, z, q1);
+    const Real plane = r > 0 ? std::pow(r / h, q1 - 1) : 0;
+    const auto part = [&](Real u) { return r > 0 ? std::pow(u / r, q2 - 1) : 0; };
+    return {std::copysign(a.x * plane * part(x), n.x), std::copysign(a.y * plane * part(y), n.y),
+            std::copysign(a.z * std::pow(z / h, q1 - 1), n.z)};
+  }
+  /// Normal at the point of the surface along u: by differences of the gauge, which are good enough to choose a place.
+  Vec normal_along(Vec u) const {
+    const Real e = 1e-6L;
+    return unit({gauge(u + Vec{e, 0, 0}) - gauge(u - Vec{e, 0, 0}), gauge(u + Vec{0, e, 0}) - gauge(u - Vec{0, e, 0}),
+                 gauge(u + Vec{0, 0, e}) - gauge(u - Vec{0, 0, e})});
+  }
+};
+
+/// Two bodies that just touch: A at the origin in its own frame.
+struct Touching {
+  Body a, b;  // a is not the smaller one
+  sc_mat turn;
+  Vec normal, branch;
+
+  /// The pair with the branch times `growth`.
+  sc_growth_pair at(double growth) const {
+    return sc_make_growth_pair(a.form.shape, a.radius, b.form.shape, b.radius, turn, narrow(growth * branch));
+  }
+  Real support(Vec n) const { return a.support(n) + b.support(turn_back(turn, n)); }
+};
+
+/// Touching along a normal in the frame of A.
+inline Touching touching(const Body& a, const Body& b, const sc_mat& turn_b, Vec normal) {
+  return {a, b, turn_b, normal, a.farthest(normal) + turn(turn_b, b.farthest(turn_back(turn_b, normal)))};
+}
+
+inline double normal_draw(std::mt19937_64& r) { return std::normal_distribution<double>()(r); }
+inline double uniform_draw(std::mt19937_64& r) { return std::uniform_real_distribution<double>()(r); }
+inline Vec any_direction(std::mt19937_64& r) {
+  const double x = normal_draw(r), y = normal_draw(r), z = normal_draw(r);
+  return unit({x, y, z});
+}
+
+inline sc_mat turn_of(double w, double x, double y, double z) {
+  const double s = 2 / (w * w + x * x + y * y + z * z);
+  sc_mat m;
+  m.x = sc_make_vec(1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y));
+  m.y = sc_make_vec(s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x));
+  m.z = sc_make_vec(s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y));
+  return m;
+}
+inline sc_mat any_turn(std::mt19937_64& r) {
+  const double w = normal_draw(r), x = normal_draw(r), y = normal_draw(r), z = normal_draw(r);
+  return turn_of(w, x, y, z);
+}
+
+/// A pair with a normal as it comes: any direction (corners and edges of blocky bodies), that of a place on one of the
+/// surfaces (their faces), or a body that is almost parallel to the other.
+inline Touching any_touching(const Body& a, const Body& b, std::mt19937_64& r) {
+  const int way = static_cast<int>(4 * uniform_draw(r));
+  sc_mat turn_b = any_turn(r);
+  const double tilt = std::pow(10, -1 - 7 * uniform_draw(r));
+  if (way == 3) turn_b = turn_of(1, tilt * normal_draw(r), tilt * normal_draw(r), tilt * normal_draw(r));
+  Vec n = any_direction(r);
+  if (way == 1 || way == 3) n = a.normal_along(n);
+  if (way == 2) n = turn(turn_b, b.normal_along(n));
+  return touching(a, b, turn_b, n);
+}
+
+}  // namespace scree::pairs
