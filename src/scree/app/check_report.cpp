@@ -75,6 +75,10 @@ void say_step(const Case& c, const DerivedStep& s, Lines& lines) {
                      steps_verdict(s.steps_per_contact),
                      fmt::format("use a time step of at most {:.3g} s (25 steps), or \"auto\"", s.contact_time / 25)});
   }
+  if (s.time_step > s.damped_step * (1 + 1e-12))
+    lines.push_back(
+        {"dashpots", fmt::format("too strong for this step where {} are packed", s.damped), Verdict::warning,
+         fmt::format("beds do not come to rest; use a time step of at most {:.3g} s, or \"auto\"", s.damped_step)});
   if (s.overlap > 0)
     lines.push_back({"overlap at top speed",
                      std::isinf(s.overlap) ? "cohesion is as stiff as the bodies"

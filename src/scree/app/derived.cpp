@@ -43,6 +43,11 @@ DerivedStep derive_step(const Case& c, const Materials& materials, const std::ve
       out.contact_time = time;
       out.shortest = e.what;
     }
+    const double damped = longest_damped_step(e, c.contact.laws);
+    if (damped < out.damped_step) {
+      out.damped_step = damped;
+      out.damped = e.what;
+    }
     const double overlap = overlap_fraction(e, c.contact.laws, top.value);
     if (overlap > out.overlap) {
       out.overlap = overlap;
@@ -54,7 +59,7 @@ DerivedStep derive_step(const Case& c, const Materials& materials, const std::ve
   if (c.simulation.time_step)
     out.time_step = *c.simulation.time_step;
   else if (std::isfinite(out.contact_time))
-    out.time_step = out.contact_time / c.simulation.steps_per_contact;
+    out.time_step = std::min(out.contact_time / c.simulation.steps_per_contact, out.damped_step);
   else if (std::isfinite(out.rayleigh_time))
     out.time_step = 0.2 * out.rayleigh_time;
   out.steps_per_contact = out.contact_time / out.time_step;

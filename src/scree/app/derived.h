@@ -25,8 +25,10 @@ struct DerivedStep {
   double time_step = std::numeric_limits<double>::quiet_NaN();    // [s]; NaN if "auto" has nothing to go by
   double contact_time = std::numeric_limits<double>::infinity();  // shortest [s]; infinite without contacts
   double steps_per_contact = std::numeric_limits<double>::infinity();
-  std::string shortest;  // the encounter with the shortest contact
-  double overlap = 0;    // deepest at top speed, over the smaller radius
+  std::string shortest;                                          // the encounter with the shortest contact
+  double damped_step = std::numeric_limits<double>::infinity();  // longest that brings a damped packing to rest [s]
+  std::string damped;                                            // the encounter that asks for it
+  double overlap = 0;                                            // deepest at top speed, over the smaller radius
   std::string deepest;
   double rayleigh_time = std::numeric_limits<double>::infinity();  // shortest [s]; infinite without elastic moduli
   double steps = 0;                                                // of the run
@@ -89,7 +91,8 @@ struct Derived {
 Derived derive(const Case& c);
 
 /// The time step of the run [s]: simulation.time_step, or the shortest contact time over simulation.steps_per_contact,
-/// over every pair of materials and sizes that the case can create, walls included. Hertz counts with the top speed; if
+/// over every pair of materials and sizes that the case can create, walls included, and no longer than strong dashpots
+/// bear (longest_damped_step). Hertz counts with the top speed; if
 /// nothing is known to move, the step is a fifth of the Rayleigh time.
 /// Throws InputError when a contact would take fewer than ten steps, or when "auto" has no contact to go by.
 double time_step_of(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds);

@@ -99,6 +99,14 @@ double contact_time(const Encounter& e, const sc_laws& laws, double speed) {
   return sc_linear_contact_time(e.mass, e.law.stiffness, e.law.damping);
 }
 
+double longest_damped_step(const Encounter& e, const sc_laws& laws) {
+  if (laws.normal == SC_NORMAL_HERTZ || laws.cohesion == SC_COHESION_JKR) return infinity;
+  const double zeta = e.law.damping;
+  if (zeta <= 0) return infinity;
+  // The root of x^2 + 8 zeta x = 1, written without a difference.
+  return std::sqrt(e.mass / e.law.stiffness) / (4 * zeta + std::sqrt(1 + 16 * zeta * zeta));
+}
+
 double overlap_fraction(const Encounter& e, const sc_laws& laws, double speed) {
   if (laws.normal == SC_NORMAL_HERTZ) return sc_hertz_overlap(e.mass, speed, e.law.young, e.radius) / e.smaller_radius;
   const double cohesion = laws.cohesion == SC_COHESION_LINEAR ? e.law.cohesion_stiffness : 0.0;

@@ -35,6 +35,13 @@ Encounter typical_encounter(const Case& c, const Materials& materials, const std
 /// contact radius a_0 = (9 pi W R*^2 / (2 E*))^(1/3) of no force. Infinite for Hertz at no speed.
 double contact_time(const Encounter& e, const sc_laws& laws, double speed);
 
+/// The longest time step with which the dashpot of such contacts brings a packing to rest [s]; infinite where it is no
+/// matter. The dashpot takes its velocity from the past, v_(n-1/2) + (v_(n-1/2) - v_(n-3/2))/2, and the quickest
+/// oscillation, which alternates, feels it as twice as strong and turned round: it dies if x^2 + 8 zeta x < 4 / s with
+/// x = dt sqrt(k/m) and s the square of its frequency over that of two bodies alone. In the densest packing of equal
+/// spheres s is 4. Hertz: contacts at rest are softer than in the impact that the time step goes by; infinite.
+double longest_damped_step(const Encounter& e, const sc_laws& laws);
+
 /// Overlap over the smaller radius when they meet with `speed`, from energy alone: dashpots make it smaller. Infinite
 /// if linear cohesion is as stiff as the bodies.
 double overlap_fraction(const Encounter& e, const sc_laws& laws, double speed);

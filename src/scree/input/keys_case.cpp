@@ -41,7 +41,9 @@ const Section& simulation_section() {
            .above(0)
            .required()
            .may_change_at_restart(),
-       key("time_step", &S::time_step, "time step; \"auto\" is the shortest contact time divided by steps_per_contact")
+       key("time_step", &S::time_step,
+           "time step; \"auto\" is the shortest contact time divided by steps_per_contact, less where dashpots are "
+           "strong")
            .unit("s")
            .above(0)
            .or_word("auto"),
