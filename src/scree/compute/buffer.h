@@ -58,10 +58,11 @@ class Buffer {
  private:
   static constexpr std::size_t alignment = 64;
   static constexpr std::size_t huge_page = std::size_t{2} << 20;
+  static constexpr std::size_t large = huge_page / 4;  // worth a huge page that it does not fill
 
   void reserve(std::size_t n) {
     const std::size_t bytes = n * sizeof(T);
-    const std::size_t align = bytes >= huge_page ? huge_page : alignment;
+    const std::size_t align = bytes >= large ? huge_page : alignment;
     const std::size_t rounded = (bytes + align - 1) / align * align;
     void* memory = std::aligned_alloc(align, rounded);
     if (!memory) throw std::bad_alloc();

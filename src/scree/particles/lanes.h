@@ -62,11 +62,11 @@ struct Columns {
   return {front(ab0, cd0), front(ab1, cd1), back(ab0, cd0), back(ab1, cd1)};
 }
 
-[[gnu::always_inline]] inline void rows_of(const Columns& c, double (&row)[8][4]) {
+[[gnu::always_inline]] inline void rows_of(const Columns& c, lane4 (&row)[8]) {
   const lane8 xy0 = even(c.x, c.y), xy1 = odd(c.x, c.y), zw0 = even(c.z, c.w), zw1 = odd(c.z, c.w);
   const auto put = [&row](int a, int b, lane8 v) {
-    store4(row[a], __builtin_shufflevector(v, v, 0, 1, 2, 3));
-    store4(row[b], __builtin_shufflevector(v, v, 4, 5, 6, 7));
+    row[a] = __builtin_shufflevector(v, v, 0, 1, 2, 3);
+    row[b] = __builtin_shufflevector(v, v, 4, 5, 6, 7);
   };
   put(0, 4, front(xy0, zw0));
   put(1, 5, front(xy1, zw1));

@@ -12,6 +12,7 @@ void advance(const SweepView& v, const std::int32_t* tiles, int count, SweepFind
   Batch batch;
   SweepFindings findings = out;
   for (int t = 0; t < count; ++t) {
+    fetch_ahead(v, tiles[t], tiles[t + 1]);
     contacts_of_tile<Laws, OneMaterial>(v, v.first[tiles[t]], v.first[tiles[t + 1]], batch, findings);
     for (std::int32_t p = tiles[t]; p < tiles[t + 1]; ++p)
       if (!v.deferred[p]) move<Laws>(v, p, findings);

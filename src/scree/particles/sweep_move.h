@@ -22,6 +22,14 @@ namespace {
   return {force, turn * share[0], couple};
 }
 
+/// Sends for what particles [begin, end) will gather, while the contacts of their tile are evaluated: into the second
+/// cache, since the first is full of those contacts.
+[[gnu::always_inline]] inline void fetch_ahead(const SweepView& v, std::int32_t begin, std::int32_t end) {
+  for (std::int32_t k = v.gather_first[begin]; k < v.gather_first[end]; ++k)
+    __builtin_prefetch(v.slots + 8 * std::int64_t{v.gather[k] >> 1}, 0, 2);
+  for (std::int32_t p = begin; p < end; p += 2) __builtin_prefetch(v.loss + 4 * std::int64_t{p}, 0, 2);
+}
+
 /// Angular impulse of uniform gravity on a free particle.
 [[gnu::always_inline]] inline sc_vec weight_turn(const SweepView& v, const sc_sphere_motion& before) {
   return sc_cross(before.position, sc_scale(v.move.kick / before.inverse_mass, v.move.gravity));

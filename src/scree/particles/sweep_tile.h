@@ -41,12 +41,14 @@ constexpr std::int32_t prefetch_distance = 64;
   apart = 0;
   for (std::int32_t c = begin; c < end; c += 8) {
     lane4 row[8];
-    // The partners of the contacts to come, which lie in other rows of cells, are on their way meanwhile.
+    // The partners of the contacts to come, which lie in other rows of cells, are on their way meanwhile. Memories lie
+    // in a row, but the processor's own look ahead ends with the page.
     for (int l = 0; l < 8; ++l) {
       const std::int64_t ahead = v.partner[c + l + prefetch_distance];
       __builtin_prefetch(v.motion + 8 * ahead);
       __builtin_prefetch(v.spin + 4 * ahead);
     }
+    for (int l = 0; l < 8; l += 2) __builtin_prefetch(v.slide + 4 * std::int64_t{c + l + prefetch_distance});
     // The last vector of a tile is filled up with the last candidate: what lies behind may be another thread's.
     const int count = end - c < 8 ? end - c : 8;
     std::uint8_t code[8];
@@ -148,16 +150,16 @@ template <bool OneMaterial>
                                          SweepFindings& findings) {
   const bool rolls = law_rolls(laws);
   for (int k = 0; k < near; k += 8) {
-    double force[8][4], turn[8][4], slide[8][4];
+    lane4 force[8], turn[8], slide[8];
     rows_of(take(b.fx, b.fy, b.fz, b.loss_normal, k), force);
     rows_of(take(b.gx, b.gy, b.gz, b.loss_sliding, k), turn);
     rows_of(take(b.qx, b.qy, b.qz, b.qv, k), slide);
     const int count = near - k < 8 ? near - k : 8;
     for (int l = 0; l < count; ++l) {
       const std::int64_t c = b.which[k + l], s = v.slot[c];
-      store4(v.slots + 8 * s, load4(force[l]));
-      store4(v.slots + 8 * s + 4, load4(turn[l]));
-      store4(v.slide + 4 * c, load4(slide[l]));
+      store4(v.slots + 8 * s, force[l]);
+      store4(v.slots + 8 * s + 4, turn[l]);
+      store4(v.slide + 4 * c, slide[l]);
       const bool touching = b.touching[k + l] != 0;
       findings.contacts += touching;
       if (touching && !v.active[c]) {
