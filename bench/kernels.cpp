@@ -146,8 +146,9 @@ BENCHMARK(permutation)->Unit(benchmark::kMillisecond);
 void plan_of_the_pass(benchmark::State& state) {
   const Cloud cloud(false);
   const Candidates pairs = find_candidates(cloud.particles, cloud.domain, cloud.skin);
+  const WallContacts walls = find_wall_contacts(cloud.particles, {}, cloud.skin);
   const int threads = static_cast<int>(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(plan_sweep(pairs, cloud.particles, threads).slots);
+  for (auto _ : state) benchmark::DoNotOptimize(plan_sweep(pairs, walls, cloud.particles, threads).slots);
   count_items(state, pairs.count);
 }
 BENCHMARK(plan_of_the_pass)->Arg(1)->Arg(2)->ArgName("threads")->Unit(benchmark::kMillisecond);

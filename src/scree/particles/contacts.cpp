@@ -69,9 +69,10 @@ Incidence incidence_by_id(const Candidates& pairs, const Particles& particles) {
   return out;
 }
 
-void cut_into_ranges(const Candidates& pairs, std::int32_t n, int threads, SweepPlan& plan) {
-  // A particle costs about as much to move as three candidates cost to look at.
-  const auto cost = [&](std::int32_t p) { return 3.0 * p + pairs.first[p]; };
+void cut_into_ranges(const Candidates& pairs, const WallContacts& walls, int threads, SweepPlan& plan) {
+  const std::int32_t n = static_cast<std::int32_t>(plan.deferred.size());
+  // A particle costs about as much to move as three candidates cost to look at, its face of a wall as ten.
+  const auto cost = [&](std::int32_t p) { return 3.0 * p + pairs.first[p] + 10.0 * walls.first[p]; };
   plan.ranges.resize(threads);
   std::int32_t p = 0;
   for (int t = 0; t < threads; ++t) {
@@ -94,9 +95,13 @@ void defer_shared(const Candidates& pairs, SweepPlan& plan) {
     for (std::int32_t c = pairs.first[range.begin]; c < pairs.first[range.end]; ++c)
       if (pairs.partner[c] >= range.end) plan.deferred[pairs.partner[c]] = 1;
   }
-  for (SweepRange& range : plan.ranges)
-    for (std::int32_t p = range.begin; p < range.end; ++p)
-      if (plan.deferred[p]) range.deferred.push_back(p);
+  std::vector<std::int32_t> all;
+  for (std::size_t p = 0; p < plan.deferred.size(); ++p)
+    if (plan.deferred[p]) all.push_back(static_cast<std::int32_t>(p));
+  const std::size_t threads = plan.ranges.size();
+  for (std::size_t t = 0; t < threads; ++t)
+    plan.ranges[t].deferred.assign(all.begin() + all.size() * t / threads,
+                                   all.begin() + all.size() * (t + 1) / threads);
 }
 
 /// Walks through the sweep of one range, handing out slots as pairs are evaluated and taking them back as partners are
@@ -139,12 +144,11 @@ void fill_gather(const Candidates& pairs, const Incidence& incidence, SweepPlan&
 
 }  // namespace
 
-SweepPlan plan_sweep(const Candidates& pairs, const Particles& particles, int threads) {
-  const std::int32_t n = static_cast<std::int32_t>(particles.size());
+SweepPlan plan_sweep(const Candidates& pairs, const WallContacts& walls, const Particles& particles, int threads) {
   SweepPlan plan;
-  plan.deferred.resize(n);
+  plan.deferred.resize(particles.size());
   plan.slot.resize(pairs.count + candidate_padding);
-  cut_into_ranges(pairs, n, threads, plan);
+  cut_into_ranges(pairs, walls, threads, plan);
   defer_shared(pairs, plan);
   const Incidence incidence = incidence_by_id(pairs, particles);
   std::vector<std::int32_t> base(threads + 1, 0);

@@ -8,6 +8,7 @@
 #include "scree/data/particles.h"
 #include "scree/particles/neighbours.h"
 #include "scree/particles/sweep_view.h"
+#include "scree/particles/wall_contacts.h"
 
 namespace scree {
 
@@ -35,7 +36,7 @@ inline constexpr std::uint32_t gather_entry(std::int32_t slot, bool is_partner) 
 struct SweepRange {
   std::int32_t begin = 0, end = 0;     // particles
   std::vector<std::int32_t> tiles;     // first particle of each tile, and the end
-  std::vector<std::int32_t> deferred;  // particles with pairs owned by another range: they move after a barrier
+  std::vector<std::int32_t> deferred;  // its share of all particles with pairs in two ranges: they move after a barrier
 };
 
 /// How one pass over all contacts goes: each pair writes its force into a slot; each particle sums its slots in the
@@ -57,8 +58,8 @@ inline constexpr std::size_t bytes_per_pair(bool remembers_rolling) {
          sizeof(std::int32_t) + 2 * sizeof(std::uint32_t);
 }
 
-/// Plans a sweep over `pairs` by `threads` threads.
-SweepPlan plan_sweep(const Candidates& pairs, const Particles& particles, int threads);
+/// Plans a sweep over `pairs` by `threads` threads, each with as much work at pairs and walls as the others.
+SweepPlan plan_sweep(const Candidates& pairs, const WallContacts& walls, const Particles& particles, int threads);
 
 /// Gives every pair the slot of its own number, so that after a pass the slots hold what each pair did. The order in
 /// which particles sum them stays.

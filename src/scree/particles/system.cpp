@@ -98,7 +98,7 @@ void make_lists(ParticleSystem& s, ContactLists& lists, const Team& team, const 
   WallContacts walls = find_wall_contacts(p, s.walls, reach);
   carry_over(walls, s.wall_contacts, place);
   s.wall_contacts = std::move(walls);
-  lists.plan = plan_sweep(s.contacts.pairs, p, team.hands(n));
+  lists.plan = plan_sweep(s.contacts.pairs, s.wall_contacts, p, team.hands(n));
   lists.slots.slots.resize(8 * std::size_t(lists.plan.slots));
   if (s.contacts.remembers_rolling) lists.slots.couples.resize(4 * std::size_t(lists.plan.slots));
   lists.listed_at.resize(3 * n);
