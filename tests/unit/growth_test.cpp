@@ -9,39 +9,6 @@
 namespace scree::pairs {
 namespace {
 
-struct Kind {
-  const char* name;
-  Body a, b;
-};
-
-Body body(const Axes& axes, double n1, double n2, double size = 1) { return {make_form(axes, 2 / n1, 2 / n2), size}; }
-
-/// The thirteen pairs of shapes of the method study, and the extremes.
-std::vector<Kind> kinds() {
-  std::vector<Kind> all;
-  const auto same = [&](const char* name, const Body& a) { all.push_back({name, a, a}); };
-  same("sphere", body({1, 1, 1}, 2, 2));
-  same("ellipsoid", body({1, .7, .5}, 2, 2));
-  same("4,4", body({1, 1, 1}, 4, 4));
-  same("8,2", body({1, 1, 1}, 8, 2));
-  same("8,8", body({1, 1, 1}, 8, 8));
-  same("20,20", body({1, 1, 1}, 20, 20));
-  same("5.3,3.7", body({1, .8, .6}, 5.3, 3.7));
-  same("plate", body({1, 1, .1}, 8, 8));
-  same("rod", body({1, 1, 8}, 8, 2));
-  same("pointed", body({1, 1, 1}, 1.3, 1.3));
-  all.push_back({"cubes 1 : 0.04", body({1, 1, 1}, 8, 8), body({1, 1, 1}, 8, 8, .04)});
-  all.push_back({"ellipsoid, cube", body({1, .7, .5}, 2, 2), body({1, 1, 1}, 8, 8)});
-  all.push_back({"sphere, plate", body({1, 1, 1}, 2, 2), body({1, 1, .1}, 16, 4)});
-  same("e 1.9", body({1, 1, 1}, 2 / 1.9, 2 / 1.9));
-  all.push_back({"e 1.9, e 0.1", body({1, 1, 1}, 2 / 1.9, 2 / 1.9), body({1, 1, 1}, 20, 20)});
-  same("needles 20", body({20, 1, 1}, 20, 20));
-  same("discs 20", body({20, 20, 1}, 20, 2));
-  all.push_back({"e 1.9 disc, small", body({20, 20, 1}, 2 / 1.9, 2 / 1.9), body({20, 20, 1}, 2 / 1.9, 2 / 1.9, .1)});
-  all.push_back({"needle, small cube", body({20, 1, 1}, 2, 2), body({1, 1, 1}, 20, 20, .1)});
-  return all;
-}
-
 sc_growth_touch solve_cold(const sc_growth_pair& p) { return sc_growth_solve(p, 0, sc_growth_point{}); }
 
 /// The verdict is right, the bracket holds the truth, and the normal proves as much as it should.

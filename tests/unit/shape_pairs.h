@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "scree/data/forms.h"
 #include "scree/physics/touch/certified.h"
@@ -116,6 +117,42 @@ inline Touching any_touching(const Body& a, const Body& b, std::mt19937_64& r) {
   if (way == 1 || way == 3) n = a.normal_along(n);
   if (way == 2) n = turn(turn_b, b.normal_along(n));
   return touching(a, b, turn_b, n);
+}
+
+/// Two bodies and what to call them.
+struct Kind {
+  const char* name;
+  Body a, b;
+};
+
+inline Body body(const Axes& axes, double n1, double n2, double size = 1) {
+  return {make_form(axes, 2 / n1, 2 / n2), size};
+}
+
+/// The thirteen pairs of shapes of the method study, and the extremes.
+inline std::vector<Kind> kinds() {
+  std::vector<Kind> all;
+  const auto same = [&](const char* name, const Body& a) { all.push_back({name, a, a}); };
+  same("sphere", body({1, 1, 1}, 2, 2));
+  same("ellipsoid", body({1, .7, .5}, 2, 2));
+  same("4,4", body({1, 1, 1}, 4, 4));
+  same("8,2", body({1, 1, 1}, 8, 2));
+  same("8,8", body({1, 1, 1}, 8, 8));
+  same("20,20", body({1, 1, 1}, 20, 20));
+  same("5.3,3.7", body({1, .8, .6}, 5.3, 3.7));
+  same("plate", body({1, 1, .1}, 8, 8));
+  same("rod", body({1, 1, 8}, 8, 2));
+  same("pointed", body({1, 1, 1}, 1.3, 1.3));
+  all.push_back({"cubes 1 : 0.04", body({1, 1, 1}, 8, 8), body({1, 1, 1}, 8, 8, .04)});
+  all.push_back({"ellipsoid, cube", body({1, .7, .5}, 2, 2), body({1, 1, 1}, 8, 8)});
+  all.push_back({"sphere, plate", body({1, 1, 1}, 2, 2), body({1, 1, .1}, 16, 4)});
+  same("e 1.9", body({1, 1, 1}, 2 / 1.9, 2 / 1.9));
+  all.push_back({"e 1.9, e 0.1", body({1, 1, 1}, 2 / 1.9, 2 / 1.9), body({1, 1, 1}, 20, 20)});
+  same("needles 20", body({20, 1, 1}, 20, 20));
+  same("discs 20", body({20, 20, 1}, 20, 2));
+  all.push_back({"e 1.9 disc, small", body({20, 20, 1}, 2 / 1.9, 2 / 1.9), body({20, 20, 1}, 2 / 1.9, 2 / 1.9, .1)});
+  all.push_back({"needle, small cube", body({20, 1, 1}, 2, 2), body({1, 1, 1}, 20, 20, .1)});
+  return all;
 }
 
 }  // namespace scree::pairs

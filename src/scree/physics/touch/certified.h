@@ -18,28 +18,27 @@ typedef struct {
   int looks;              // evaluations that it took
 } sc_growth_touch;
 
-enum { SC_GROWTH_LOOKS = 40, SC_GROWTH_REFINEMENTS = 60 };
+enum { SC_GROWTH_LOOKS = 40, SC_GROWTH_REFINEMENTS = 200 };
 
 SC_FN sc_growth_search sc_growth_run(sc_growth_pair p, sc_growth_point start) {
   sc_growth_search s = sc_growth_search_from(start);
-  for (int i = 0; i < SC_GROWTH_LOOKS && s.verdict == SC_GROWTH_OPEN; ++i) s = sc_growth_advance(p, s);
+  for (int i = 0; i < SC_GROWTH_LOOKS && s.verdict == R(SC_GROWTH_OPEN); ++i) s = sc_growth_advance(p, s);
   return s;
 }
 
 /// What a search has ended with.
-SC_FN sc_growth_touch sc_growth_touch_of(sc_growth_pair p, sc_growth_search s) {
-  const sc_growth_look look = sc_grow(p, s.at);
-  const real length = SC_SQRT(sc_dot(look.normal, look.normal));
+SC_FN sc_growth_touch sc_growth_touch_of(sc_growth_search s) {
+  const real length = SC_SQRT(sc_dot(s.normal, s.normal));
   const real inverse = R(1) / SC_MAX(length, SC_TINY);
   sc_growth_touch out;
-  out.verdict = s.verdict;
+  out.verdict = (int)s.verdict;
   out.low = s.low;
   out.high = s.high;
-  out.growth = look.growth;
+  out.growth = s.growth;
   out.start = s.at;
-  out.normal = sc_scale(inverse, look.normal);
-  out.support = look.weight * inverse;
-  out.looks = s.looks;
+  out.normal = sc_scale(inverse, s.normal);
+  out.support = s.weight * inverse;
+  out.looks = (int)s.looks;
   return out;
 }
 
@@ -48,7 +47,7 @@ SC_FN sc_growth_touch sc_growth_touch_of_portal(sc_growth_pair p, const sc_porta
   const real inverse = R(1) / sc_norm(portal->best);
   sc_growth_touch out;
   const int touching = high < R(1) - p.rounding;
-  const int verdict = sc_growth_verdict(low, high, p.rounding);
+  const int verdict = (int)sc_growth_judge(low, high, p.rounding).verdict;
   out.verdict = verdict != SC_GROWTH_OPEN ? verdict : (touching ? SC_GROWTH_TOUCHING : SC_GROWTH_GRAZING);
   out.low = low;
   out.high = high;
@@ -63,25 +62,28 @@ SC_FN sc_growth_touch sc_growth_touch_of_portal(sc_growth_pair p, const sc_porta
 /// The portal with Newton's method from its points.
 SC_FN sc_growth_touch sc_growth_by_portal(sc_growth_pair p, real low, real high) {
   sc_portal portal = sc_portal_start(p);
-  real width = R(1e-2);
+  real width = R(1e-2), part = R(1e-2);
   for (int i = 0; i < SC_GROWTH_REFINEMENTS; ++i) {
     const int changed = sc_portal_refine(&portal, p);
     low = SC_MAX(low, portal.low);
     const real bound = sc_grow(p, sc_portal_point(&portal)).high;
     high = SC_MIN(high, bound);
-    const int verdict = sc_growth_verdict(low, high, p.rounding);
+    const int verdict = (int)sc_growth_judge(low, high, p.rounding).verdict;
     if (verdict == SC_GROWTH_APART || verdict == SC_GROWTH_GRAZING) break;
     if (changed && sc_portal_high(&portal) - portal.low > width * portal.low) continue;
     width = R(1e-2) * width;
     sc_growth_search s = sc_growth_run(p, sc_portal_point(&portal));
     low = s.low = SC_MAX(low, s.low);
     high = s.high = SC_MIN(high, s.high);
-    if (s.verdict != SC_GROWTH_OPEN) {
-      sc_growth_touch out = sc_growth_touch_of(p, s);
+    if (s.verdict != R(SC_GROWTH_OPEN)) {
+      sc_growth_touch out = sc_growth_touch_of(s);
       out.looks = 1000 + i;
       return out;
     }
-    if (!changed) break;
+    if (changed) continue;
+    if (part < R(1e-11)) break;
+    sc_portal_stir(&portal, p, part);
+    part = R(0.2) * part;
   }
   sc_growth_touch out = sc_growth_touch_of_portal(p, &portal, low, high);
   out.looks = 2000;
@@ -103,13 +105,20 @@ SC_FN sc_growth_touch sc_growth_concentric(sc_growth_pair p) {
   return out;
 }
 
+/// What comes of a first search: its result, or that of the searches which follow one that is left open.
+SC_FN sc_growth_touch sc_growth_resolve(sc_growth_pair p, int warm, sc_growth_search s) {
+  if (s.verdict == R(SC_GROWTH_OPEN) && warm) s = sc_growth_run(p, sc_growth_cold(p));
+  if (s.verdict == R(SC_GROWTH_OPEN)) return sc_growth_by_portal(p, s.low, s.high);
+  return sc_growth_touch_of(s);
+}
+
+/// Whether two bodies have the same centre, for which there is no search.
+SC_FN int sc_growth_is_concentric(sc_growth_pair p) { return !(sc_norm(p.branch) > R(1e-12) * p.radius_b); }
+
 /// How two bodies meet. `start` may be where the solver ended before; `warm` says whether it is.
 SC_FN sc_growth_touch sc_growth_solve(sc_growth_pair p, int warm, sc_growth_point start) {
-  if (!(sc_norm(p.branch) > R(1e-12) * p.radius_b)) return sc_growth_concentric(p);
-  sc_growth_search s = sc_growth_run(p, warm ? start : sc_growth_cold(p));
-  if (s.verdict == SC_GROWTH_OPEN && warm) s = sc_growth_run(p, sc_growth_cold(p));
-  if (s.verdict == SC_GROWTH_OPEN) return sc_growth_by_portal(p, s.low, s.high);
-  return sc_growth_touch_of(p, s);
+  if (sc_growth_is_concentric(p)) return sc_growth_concentric(p);
+  return sc_growth_resolve(p, warm, sc_growth_run(p, warm ? start : sc_growth_cold(p)));
 }
 
 #endif

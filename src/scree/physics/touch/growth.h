@@ -112,14 +112,40 @@ SC_FN real sc_growth_rounding(sc_vec scale_a, sc_vec scale_b, sc_vec branch) {
   return R(1e-15) * (R(2) + SC_MAX(a, b) * sc_norm(branch));
 }
 
+/// Pairs whose powers are products throughout, so that a loop over such pairs vectorises: both bodies have the same
+/// exponents, (n1, n2) = (2, 2), (4, 4), (8, 2) or (8, 8). All others are of the general kind.
+enum { SC_GROWTH_GENERAL = 0, SC_GROWTH_22 = 1, SC_GROWTH_44 = 2, SC_GROWTH_82 = 3, SC_GROWTH_88 = 4 };
+
+SC_FN int sc_growth_kind(sc_exponents a, sc_exponents b) {
+  const int in = a.inner.power, out = a.outer.power;
+  if (in != b.inner.power || out != b.outer.power) return SC_GROWTH_GENERAL;
+  if (out == 2 && in == 2) return SC_GROWTH_22;
+  if (out == 4 && in == 4) return SC_GROWTH_44;
+  if (out == 8 && in == 2) return SC_GROWTH_82;
+  if (out == 8 && in == 8) return SC_GROWTH_88;
+  return SC_GROWTH_GENERAL;
+}
+
+/// The exponents as a pair of that kind takes them.
+SC_FN sc_exponents sc_growth_exponents(int kind, sc_exponents e) {
+  e.inner.power = e.outer.power = 0;
+  if (kind == SC_GROWTH_22) e.inner.power = e.outer.power = 2;
+  if (kind == SC_GROWTH_44) e.inner.power = e.outer.power = 4;
+  if (kind == SC_GROWTH_88) e.inner.power = e.outer.power = 8;
+  if (kind == SC_GROWTH_82) e.inner.power = 2;
+  if (kind == SC_GROWTH_82) e.outer.power = 8;
+  return e;
+}
+
 /// The pair of two forms with their bounding radii, that of A not below that of B.
 SC_FN sc_growth_pair sc_make_growth_pair(sc_form a, real radius_a, sc_form b, real radius_b, sc_mat turn,
                                          sc_vec branch) {
   sc_growth_pair p;
   p.scale_a = sc_scale(R(1) / radius_a, a.inverse_axes);
   p.scale_b = sc_scale(R(1) / radius_b, b.inverse_axes);
-  p.gauge_a = a.gauge;
-  p.gauge_b = b.gauge;
+  const int kind = sc_growth_kind(a.gauge, b.gauge);
+  p.gauge_a = sc_growth_exponents(kind, a.gauge);
+  p.gauge_b = sc_growth_exponents(kind, b.gauge);
   p.turn = turn;
   p.branch = branch;
   p.radius_b = radius_b;
@@ -127,13 +153,24 @@ SC_FN sc_growth_pair sc_make_growth_pair(sc_form a, real radius_a, sc_form b, re
   return p;
 }
 
-/// What a bracket says.
-SC_FN int sc_growth_verdict(real low, real high, real rounding) {
+/// What a bracket says: whether anything, and SC_GROWTH_..., as a real, because loops that mix those with integers do
+/// not vectorise.
+typedef struct {
+  int decided;
+  real verdict;
+} sc_growth_judgement;
+
+SC_FN sc_growth_judgement sc_growth_judge(real low, real high, real rounding) {
   const real width = high - low;
   const int apart = low > R(1) + rounding;
-  const int touching = (high < R(1) - rounding) & ((width < SC_GROWTH_WIDTH * high) | (width < SC_GROWTH_GRAZE));
   const int grazing = width < SC_GROWTH_GRAZE;
-  return apart ? SC_GROWTH_APART : (touching ? SC_GROWTH_TOUCHING : (grazing ? SC_GROWTH_GRAZING : SC_GROWTH_OPEN));
+  const int touching = (high < R(1) - rounding) & ((width < SC_GROWTH_WIDTH * high) | grazing);
+  sc_growth_judgement out;
+  out.decided = apart | touching | grazing;
+  out.verdict = grazing ? R(SC_GROWTH_GRAZING) : R(SC_GROWTH_OPEN);
+  out.verdict = touching ? R(SC_GROWTH_TOUCHING) : out.verdict;
+  out.verdict = apart ? R(SC_GROWTH_APART) : out.verdict;
+  return out;
 }
 
 /// Newton's method on its way.
@@ -142,8 +179,9 @@ typedef struct {
   sc_growth_point base, step;  // the last good point and the way from there
   real fraction, misfit;       // how much of the way was taken, and the misfit at the good point
   real low, high;              // bracket so far
-  int verdict;
-  int looks;
+  sc_vec normal;               // of the last look, with weight and growth
+  real weight, growth;
+  real verdict, looks;  // SC_GROWTH_..., and the evaluations so far
 } sc_growth_search;
 
 SC_FN sc_growth_search sc_growth_search_from(sc_growth_point start) {
@@ -155,44 +193,47 @@ SC_FN sc_growth_search sc_growth_search_from(sc_growth_point start) {
   s.misfit = R(1e30);
   s.low = R(0);
   s.high = R(1e30);
-  s.verdict = SC_GROWTH_OPEN;
-  s.looks = 0;
+  s.normal = sc_zero_vec();
+  s.weight = s.growth = R(0);
+  s.verdict = R(SC_GROWTH_OPEN);
+  s.looks = R(0);
   return s;
+}
+
+SC_FN sc_vec sc_choose_vec(int first, sc_vec a, sc_vec b) {
+  return sc_make_vec(first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z);
 }
 
 /// One evaluation and the way to the next. A search with a verdict stays where it is.
 SC_FN sc_growth_search sc_growth_advance(sc_growth_pair p, sc_growth_search s) {
   const sc_growth_look look = sc_grow(p, s.at);
-  const int open = s.verdict == SC_GROWTH_OPEN;
+  const int open = s.verdict == R(SC_GROWTH_OPEN);
   const real low = SC_MAX(s.low, look.low), high = SC_MIN(s.high, look.high);
-  const int verdict = sc_growth_verdict(low, high, p.rounding);
+  const sc_growth_judgement judgement = sc_growth_judge(low, high, p.rounding);
   // The point that the verdict was found at is kept.
-  const int moves = open & (verdict == SC_GROWTH_OPEN);
+  const int moves = open & !judgement.decided;
   const int good = moves & ((look.misfit < (R(1) - R(1e-4) * s.fraction) * s.misfit) | (s.fraction < R(1e-3)));
   // A step may not be longer than a quarter of the smaller body.
   const real length = SC_SQRT(sc_dot(look.step.point, look.step.point));
   const real longest = R(0.25) * p.radius_b;
   const real whole = length > longest ? longest / length : R(1);
   sc_growth_search out;
-  out.base.point.x = good ? s.at.point.x : s.base.point.x;
-  out.base.point.y = good ? s.at.point.y : s.base.point.y;
-  out.base.point.z = good ? s.at.point.z : s.base.point.z;
+  out.base.point = sc_choose_vec(good, s.at.point, s.base.point);
   out.base.share = good ? s.at.share : s.base.share;
-  out.step.point.x = good ? look.step.point.x : s.step.point.x;
-  out.step.point.y = good ? look.step.point.y : s.step.point.y;
-  out.step.point.z = good ? look.step.point.z : s.step.point.z;
+  out.step.point = sc_choose_vec(good, look.step.point, s.step.point);
   out.step.share = good ? look.step.share : s.step.share;
   out.misfit = good ? look.misfit : s.misfit;
   out.fraction = good ? whole : R(0.5) * s.fraction;
   const sc_vec to = sc_add_scaled(out.base.point, out.fraction, out.step.point);
-  out.at.point.x = moves ? to.x : s.at.point.x;
-  out.at.point.y = moves ? to.y : s.at.point.y;
-  out.at.point.z = moves ? to.z : s.at.point.z;
+  out.at.point = sc_choose_vec(moves, to, s.at.point);
   out.at.share = moves ? out.base.share + out.fraction * out.step.share : s.at.share;
   out.low = open ? low : s.low;
   out.high = open ? high : s.high;
-  out.verdict = open ? verdict : s.verdict;
-  out.looks = s.looks + open;
+  out.normal = sc_choose_vec(open, look.normal, s.normal);
+  out.weight = open ? look.weight : s.weight;
+  out.growth = open ? look.growth : s.growth;
+  out.verdict = open ? judgement.verdict : s.verdict;
+  out.looks = open ? s.looks + R(1) : s.looks;
   return out;
 }
 

@@ -147,11 +147,11 @@ SC_FN sc_portal sc_portal_start(sc_growth_pair p) {
   sc_portal s;
   s.low = R(0);
   s.best = s.newton = p.branch;
-  s.share = R(0.5);
   sc_vec n = p.branch;
+  s.share = R(0.5);
   for (int i = 0; i < 3; ++i) {
     const sc_portal_column c = sc_portal_column_of(p, n);
-    if (i == 0) sc_portal_bound(&s, p, n, c);
+    sc_portal_bound(&s, p, n, c);
     s.difference[i] = c.difference;
     s.part[i] = c.part;
     n = i == 0 ? sc_perpendicular(sc_scale(R(1) / sc_norm(c.difference), c.difference))
@@ -198,6 +198,29 @@ SC_FN int sc_portal_refine(sc_portal* s, sc_growth_pair p) {
   sc_portal_bound(s, p, n, c);
   changed |= sc_portal_exchange(s, p.branch, c);
   return changed | (s->low > before);
+}
+
+/// Tries a column.
+SC_FN void sc_portal_try(sc_portal* s, sc_growth_pair p, sc_vec n) {
+  const sc_portal_column c = sc_portal_column_of(p, n);
+  sc_portal_bound(s, p, n, c);
+  sc_portal_exchange(s, p.branch, c);
+}
+
+/// Tries columns along directions around the best one, `part` of the inverse half axes of either body away from it
+/// where both together have the support value 1: where bodies have next to no curvature, neither the common normal nor
+/// Newton's direction may lead on.
+SC_FN void sc_portal_stir(sc_portal* s, sc_growth_pair p, real part) {
+  const sc_vec n = sc_scale(s->low / sc_dot(s->best, p.branch), s->best);
+  for (int k = 0; k < 3; ++k) {
+    const sc_vec axis = sc_make_vec(k == 0 ? part : R(0), k == 1 ? part : R(0), k == 2 ? part : R(0));
+    const sc_vec a = sc_make_vec(p.scale_a.x * axis.x, p.scale_a.y * axis.y, p.scale_a.z * axis.z);
+    const sc_vec b = sc_turn(p.turn, sc_make_vec(p.scale_b.x * axis.x, p.scale_b.y * axis.y, p.scale_b.z * axis.z));
+    sc_portal_try(s, p, sc_add(n, a));
+    sc_portal_try(s, p, sc_sub(n, a));
+    sc_portal_try(s, p, sc_add(n, b));
+    sc_portal_try(s, p, sc_sub(n, b));
+  }
 }
 
 #endif
