@@ -74,6 +74,7 @@ TEST(Ledger, EveryAccountHasItsSign) {
   EXPECT_EQ(error([](Measured& m) { m.cohesive = -1, m.dissipated_normal = 1; }), 0);
   EXPECT_EQ(error([](Measured& m) { m.dissipated_sliding = m.body_work = 1; }), 0);
   EXPECT_EQ(error([](Measured& m) { m.dissipated_rolling = m.body_work = 1; }), 0);
+  EXPECT_EQ(error([](Measured& m) { m.body_work = -1, m.relocation_work = 1; }), 0);
   EXPECT_EQ(error([](Measured& m) { m.kinetic = 1; }), 1);
   EXPECT_EQ(error([](Measured& m) { m.dissipated_rolling = 1; }), 1);
   EXPECT_EQ(error([](Measured& m) { m.drag_work = 1; }), -1);
@@ -81,9 +82,9 @@ TEST(Ledger, EveryAccountHasItsSign) {
 
 TEST(Ledger, KnowsItsChannels) {
   // Each channel holds another power of two, so that the sum tells which one is missing.
-  const std::vector<std::string> names{"normal",  "sliding",          "rolling",        "drag",
-                                       "body",    "prescribed",       "walls",          "inserted",
-                                       "removed", "momentum_impulse", "angular_impulse"};
+  const std::vector<std::string> names{"normal",           "sliding",        "rolling",    "drag",     "body",
+                                       "prescribed",       "walls",          "relocation", "inserted", "removed",
+                                       "momentum_impulse", "angular_impulse"};
   ASSERT_TRUE(std::equal(names.begin(), names.end(), ledger_channels().begin(), ledger_channels().end()));
   for (std::size_t i = 0; i < names.size(); ++i) {
     Measured all;
@@ -94,20 +95,22 @@ TEST(Ledger, KnowsItsChannels) {
     all.body_work = 16;
     all.prescribed_work = 32;
     all.wall_work = 64;
-    all.inserted = 64 + 32;
-    all.inserted_momentum[0] = 16;
-    all.inserted_angular_momentum[1] = 16;
-    all.removed = 128 + 64;
-    all.removed_momentum[2] = 32;
-    all.removed_angular_momentum[0] = 32;
-    all.impulse[1] = 512;
-    all.angular_impulse[2] = 1024;
+    all.relocation_work = 128;
+    all.inserted = 128 + 64;
+    all.inserted_momentum[0] = 32;
+    all.inserted_angular_momentum[1] = 32;
+    all.removed = 256 + 128;
+    all.removed_momentum[2] = 64;
+    all.removed_angular_momentum[0] = 64;
+    all.impulse[1] = 1024;
+    all.angular_impulse[2] = 2048;
     leave_out(all, std::vector<std::string>{names[i]});
-    const double left = all.body_work + all.drag_work + all.prescribed_work + all.wall_work + all.dissipated_normal +
-                        all.dissipated_sliding + all.dissipated_rolling + all.impulse[1] + all.angular_impulse[2] +
-                        all.inserted + all.inserted_momentum[0] + all.inserted_angular_momentum[1] + all.removed +
-                        all.removed_momentum[2] + all.removed_angular_momentum[0];
-    EXPECT_EQ(left, 2047 - std::exp2(static_cast<double>(i))) << names[i];
+    const double left = all.body_work + all.drag_work + all.prescribed_work + all.wall_work + all.relocation_work +
+                        all.dissipated_normal + all.dissipated_sliding + all.dissipated_rolling + all.impulse[1] +
+                        all.angular_impulse[2] + all.inserted + all.inserted_momentum[0] +
+                        all.inserted_angular_momentum[1] + all.removed + all.removed_momentum[2] +
+                        all.removed_angular_momentum[0];
+    EXPECT_EQ(left, 4095 - std::exp2(static_cast<double>(i))) << names[i];
   }
   Measured any;
   try {

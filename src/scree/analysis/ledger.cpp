@@ -27,7 +27,7 @@ struct Account {
   const char* what;  // in messages
 };
 
-constexpr std::array<Account, 13> accounts{{
+constexpr std::array<Account, 14> accounts{{
     {&Measured::kinetic, 1, true, "kinetic energy"},
     {&Measured::rotational, 1, true, "rotational energy"},
     {&Measured::elastic, 1, true, "elastic energy"},
@@ -36,6 +36,7 @@ constexpr std::array<Account, 13> accounts{{
     {&Measured::drag_work, -1, false, "work of drag"},
     {&Measured::prescribed_work, -1, false, "work of prescribed bodies"},
     {&Measured::wall_work, -1, false, "work of walls"},
+    {&Measured::relocation_work, -1, false, "work of relocation"},
     {&Measured::inserted, -1, false, "inserted energy"},
     {&Measured::removed, 1, false, "removed energy"},
     {&Measured::dissipated_normal, 1, false, "loss by normal damping"},
@@ -80,9 +81,9 @@ double moved(const Measured& before, const Measured& after) {
 double LedgerRow::relative_energy_error() const { return relative(energy_error, turnover); }
 
 std::span<const std::string> ledger_channels() {
-  static const std::array<std::string, 11> names{"normal",  "sliding",          "rolling",        "drag",
-                                                 "body",    "prescribed",       "walls",          "inserted",
-                                                 "removed", "momentum_impulse", "angular_impulse"};
+  static const std::array<std::string, 12> names{
+      "normal",   "sliding", "rolling",          "drag",           "body", "prescribed", "walls", "relocation",
+      "inserted", "removed", "momentum_impulse", "angular_impulse"};
   return names;
 }
 
@@ -102,6 +103,8 @@ void leave_out(Measured& measured, std::span<const std::string> channels) {
       measured.prescribed_work = 0;
     } else if (name == "walls") {
       measured.wall_work = 0;
+    } else if (name == "relocation") {
+      measured.relocation_work = 0;
     } else if (name == "inserted") {
       measured.inserted = 0;
       measured.inserted_momentum = measured.inserted_angular_momentum = {};

@@ -16,6 +16,8 @@ struct Measured {
   // Work done on the particles since the start by body forces, by drag, and by bodies and walls that move as
   // prescribed [J].
   double body_work = 0, drag_work = 0, prescribed_work = 0, wall_work = 0;
+  // Energy that uniform gravity took from bodies which were moved apart without a velocity (hard collisions) [J].
+  double relocation_work = 0;
   // Energy lost since the start, positive [J].
   double dissipated_normal = 0, dissipated_sliding = 0, dissipated_rolling = 0;
   // Energy that particles brought along and took away since the start, that of their contacts included [J].
@@ -62,8 +64,8 @@ struct LedgerRow {
 std::span<const std::string> ledger_channels();
 
 /// Sets channels to zero, as if nobody had measured them: the books must then fail to close wherever the channel
-/// matters. Names: normal, sliding, rolling (losses), drag, body, prescribed, walls (work), inserted, removed (energy
-/// and momenta), momentum_impulse, angular_impulse. Throws InputError for another name.
+/// matters. Names: normal, sliding, rolling (losses), drag, body, prescribed, walls, relocation (work), inserted,
+/// removed (energy and momenta), momentum_impulse, angular_impulse. Throws InputError for another name.
 void leave_out(Measured& measured, std::span<const std::string> channels);
 
 /// Opens the books with the state at the start of the run.

@@ -62,6 +62,7 @@ Measured measure(const Sample& sample, const Fields& fields, double time, const 
   out.dissipated_normal = s.loss[0].value();
   out.dissipated_sliding = s.loss[1].value();
   out.dissipated_rolling = s.loss[2].value();
+  out.relocation_work = -s.loss[3].value();
   out.inserted = passage.inserted.energy.value();
   out.removed = passage.removed.energy.value();
   out.momentum = s.momentum.value();

@@ -83,7 +83,12 @@ ParticleSystem build_system(const Case& c, Fields& fields, Takeover takeover) {
   s.particles = build_particles(
       c, s.domain, s.walls, [&](const Vec3& x) { return flow_velocity(fields, x.data(), 0.0); }, takeover);
   expect_one_image(s, c.simulation.skin);
-  s.contacts.remembers_rolling = s.laws.rolling != SC_ROLLING_NONE || s.laws.twisting != SC_TWISTING_NONE;
+  if (is_hard(c)) {
+    s.hard = HardSettings{c.hard.order == "sequential", static_cast<int>(c.hard.sweeps), c.hard.residual,
+                          c.hard.threshold, c.hard.slop};
+    s.laws = {SC_NORMAL_LINEAR, SC_TANGENTIAL_NONE, SC_ROLLING_NONE, SC_TWISTING_NONE, SC_COHESION_NONE};
+  }
+  s.contacts.remembers_rolling = s.hard || s.laws.rolling != SC_ROLLING_NONE || s.laws.twisting != SC_TWISTING_NONE;
   return s;
 }
 

@@ -16,6 +16,7 @@ MaterialProperties properties_of(const MaterialKeys& keys) {
   m.poisson = keys.poisson;
   m.stiffness = keys.stiffness;
   m.restitution = keys.restitution;
+  m.tangential_restitution = keys.tangential_restitution;
   m.friction = keys.friction;
   m.friction_sliding = keys.friction_sliding;
   m.rolling_friction = keys.rolling_friction;
@@ -32,6 +33,7 @@ PairProperties properties_of(const Case& c, const PairKeys& keys) {
   p.stiffness = keys.stiffness;
   p.young = keys.young;
   p.restitution = keys.restitution;
+  p.tangential_restitution = keys.tangential_restitution;
   p.friction = keys.friction;
   p.friction_sliding = keys.friction_sliding;
   p.rolling_friction = keys.rolling_friction;
@@ -56,6 +58,7 @@ Materials build_materials(const Case& c) {
   for (const PairKeys& keys : c.pairs) pairs.push_back(properties_of(c, keys));
   ContactSettings settings;
   settings.laws = c.contact.laws;
+  settings.hard = is_hard(c);
   settings.tangential_stiffness_ratio = c.contact.tangential_stiffness_ratio;
   settings.tangential_damping = c.contact.tangential_damping;
   settings.rolling_stiffness_ratio = c.contact.rolling_stiffness_ratio;

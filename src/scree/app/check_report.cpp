@@ -63,12 +63,17 @@ Verdict steps_verdict(double steps) {
 void say_step(const Case& c, const DerivedStep& s, Lines& lines) {
   lines.push_back({"top speed", fmt::format("{:.4g} m/s ({})", s.top_speed, s.top_speed_source), Verdict::none, ""});
   if (std::isnan(s.time_step)) {
-    lines.push_back({"time step", "auto has no contact to go by", Verdict::refused, "give simulation.time_step"});
+    lines.push_back({"time step", is_hard(c) ? "auto has no speed to go by" : "auto has no contact to go by",
+                     Verdict::refused, "give simulation.time_step"});
     return;
   }
   lines.push_back(
       {"time step", fmt::format("{:.4g} s ({})", s.time_step, s.automatic ? "auto" : "given"), Verdict::none, ""});
   lines.push_back({"steps of the run", grouped(s.steps), Verdict::none, ""});
+  if (is_hard(c))
+    lines.push_back({"way in a step", fmt::format("{:.3g} % of the smallest diameter at top speed", 100 * s.travel),
+                     warn_if(s.travel > far_travel),
+                     "hard collisions are found that late: use a shorter time step, or \"auto\""});
   if (std::isfinite(s.contact_time)) {
     lines.push_back({"shortest contact", fmt::format("{:.4g} s, {}", s.contact_time, s.shortest), Verdict::none, ""});
     lines.push_back({"steps per contact", fmt::format("{:.3g}", s.steps_per_contact),

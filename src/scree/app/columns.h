@@ -38,8 +38,9 @@ struct SeriesRow {
   std::int64_t particles = 0, contacts = 0;
   double max_overlap = 0;
   Speeds speeds;
-  double collision_speed = 0;  // mean approach speed of the contacts begun since the last row; NaN if none [m/s]
-  double stickiness = 0;       // at that speed; NaN without cohesion
+  double collision_speed = 0;        // mean approach speed of the contacts begun since the last row; NaN if none [m/s]
+  double stickiness = 0;             // at that speed; NaN without cohesion
+  std::optional<double> relocation;  // work of relocation, with hard collisions [J]
   std::optional<PassedRow> passed;
   std::optional<AgglomerateSummary> agglomerates;
   std::vector<WallLoad> wall_loads;

@@ -32,13 +32,18 @@ double shortest_rayleigh_time(const Case& c, const std::vector<BodyKind>& kinds)
   return shortest;
 }
 
-DerivedStep derive_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds) {
-  DerivedStep out;
-  const TopSpeed top = top_speed(c, kinds);
-  out.top_speed = top.value;
-  out.top_speed_source = top.source;
+/// Hard collisions take no time; what counts is that nobody goes far in a step.
+void derive_hard_step(const Case& c, const std::vector<BodyKind>& kinds, DerivedStep& out) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const BodyKind& kind : kinds) smallest = std::min(smallest, kind.smallest);
+  if (!std::isfinite(smallest) || out.top_speed == 0) return;
+  if (out.automatic) out.time_step = c.hard.travel * smallest / out.top_speed;
+  out.travel = out.time_step * out.top_speed / smallest;
+}
+
+void derive_soft_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds, DerivedStep& out) {
   for (const Encounter& e : encounters(c, materials, kinds)) {
-    const double time = contact_time(e, c.contact.laws, top.value);
+    const double time = contact_time(e, c.contact.laws, out.top_speed);
     if (time < out.contact_time) {
       out.contact_time = time;
       out.shortest = e.what;
@@ -48,21 +53,31 @@ DerivedStep derive_step(const Case& c, const Materials& materials, const std::ve
       out.damped_step = damped;
       out.damped = e.what;
     }
-    const double overlap = overlap_fraction(e, c.contact.laws, top.value);
+    const double overlap = overlap_fraction(e, c.contact.laws, out.top_speed);
     if (overlap > out.overlap) {
       out.overlap = overlap;
       out.deepest = e.what;
     }
   }
   out.rayleigh_time = shortest_rayleigh_time(c, kinds);
-  out.automatic = !c.simulation.time_step;
-  if (c.simulation.time_step)
-    out.time_step = *c.simulation.time_step;
-  else if (std::isfinite(out.contact_time))
+  if (out.automatic && std::isfinite(out.contact_time))
     out.time_step = std::min(out.contact_time / c.simulation.steps_per_contact, out.damped_step);
-  else if (std::isfinite(out.rayleigh_time))
+  else if (out.automatic && std::isfinite(out.rayleigh_time))
     out.time_step = 0.2 * out.rayleigh_time;
   out.steps_per_contact = out.contact_time / out.time_step;
+}
+
+DerivedStep derive_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds) {
+  DerivedStep out;
+  const TopSpeed top = top_speed(c, kinds);
+  out.top_speed = top.value;
+  out.top_speed_source = top.source;
+  out.automatic = !c.simulation.time_step;
+  if (c.simulation.time_step) out.time_step = *c.simulation.time_step;
+  if (is_hard(c))
+    derive_hard_step(c, kinds, out);
+  else
+    derive_soft_step(c, materials, kinds, out);
   out.steps = std::ceil(c.simulation.end / out.time_step * (1 - 1e-12));
   return out;
 }
@@ -142,7 +157,8 @@ DerivedCost derive_cost(const Case& c, const std::vector<BodyKind>& kinds, doubl
   }
   const double n = static_cast<double>(out.particles);
   out.solid_fraction = volume / (extent(c, 0) * extent(c, 1) * extent(c, 2));
-  const bool rolls = c.contact.laws.rolling != SC_ROLLING_NONE || c.contact.laws.twisting != SC_TWISTING_NONE;
+  const bool rolls =
+      is_hard(c) || c.contact.laws.rolling != SC_ROLLING_NONE || c.contact.laws.twisting != SC_TWISTING_NONE;
   out.bytes_per_particle = static_cast<double>(Particles::bytes_per_particle());
   out.bytes_per_pair = static_cast<double>(bytes_per_pair(rolls));
   out.pairs_per_particle = expected_pairs(c, out.solid_fraction);
@@ -174,9 +190,10 @@ Derived derive(const Case& c) {
 double time_step_of(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds) {
   const DerivedStep step = derive_step(c, materials, kinds);
   if (std::isnan(step.time_step))
-    throw InputError(
-        "simulation.time_step: \"auto\" has no contact to go by, as no two bodies of this case can meet\n"
-        "  = help: give simulation.time_step in seconds");
+    throw InputError(std::string("simulation.time_step: \"auto\" has no ") +
+                     (is_hard(c) ? "speed to go by, as nothing moves in this case\n"
+                                 : "contact to go by, as no two bodies of this case can meet\n") +
+                     "  = help: give simulation.time_step in seconds");
   if (step.steps_per_contact < fewest_steps_per_contact)
     throw InputError(fmt::format(
         "simulation: a time step of {:.4g} s gives {:.3g} steps per contact of {}, fewer than {:g}\n"

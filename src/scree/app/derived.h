@@ -16,6 +16,9 @@
 
 namespace scree {
 
+/// Hard collisions: a longer way in a step than this share of the smallest diameter is worth a warning.
+inline constexpr double far_travel = 0.1;
+
 /// Fewer time steps per contact than this are refused, or worth a warning.
 inline constexpr double fewest_steps_per_contact = 10, few_steps_per_contact = 15;
 
@@ -29,6 +32,7 @@ struct DerivedStep {
   double damped_step = std::numeric_limits<double>::infinity();  // longest that brings a damped packing to rest [s]
   std::string damped;                                            // the encounter that asks for it
   double overlap = 0;                                            // deepest at top speed, over the smaller radius
+  double travel = 0;  // hard: way at top speed in a step, over the smallest diameter
   std::string deepest;
   double rayleigh_time = std::numeric_limits<double>::infinity();  // shortest [s]; infinite without elastic moduli
   double steps = 0;                                                // of the run

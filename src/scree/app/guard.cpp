@@ -120,6 +120,23 @@ Overlap deepest_at_wall(const ParticleSystem& s) {
 
 }  // namespace
 
+void guard_stride(const ParticleSystem& s, double stride, double dt, double time) {
+  if (!(stride > 1)) return;
+  const Particles& p = s.particles;
+  std::size_t worst = 0;
+  double longest = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double* m = p.motion.row(i);
+    const double way = dt * std::hypot(m[lane::vx], m[lane::vy], m[lane::vz]) / m[lane::radius];
+    if (way > longest) worst = i;
+    longest = std::max(longest, way);
+  }
+  throw PhysicsError(fmt::format(
+      "t = {:.9g} s: a body goes {:.3g} of its radius in a step, so that hard collisions may be missed; the "
+      "fastest is {}. Use a shorter simulation.time_step, or a higher simulation.top_speed with \"auto\"",
+      time, stride, place_of(p, worst)));
+}
+
 void guard_step(const ParticleSystem& system, const SweepFindings& findings, double max_overlap, double time) {
   if (findings.sound && findings.inside && findings.deepest <= max_overlap) return;
   if (!findings.sound) report_unsound(system.particles, time);

@@ -10,4 +10,8 @@ namespace scree {
 /// after the step [s].
 void guard_step(const ParticleSystem& system, const SweepFindings& findings, double max_overlap, double time);
 
+/// Throws PhysicsError if a body went farther than its radius in a step of the hard model, `stride` of it: it may have
+/// passed another body or a wall unseen.
+void guard_stride(const ParticleSystem& system, double stride, double dt, double time);
+
 }  // namespace scree

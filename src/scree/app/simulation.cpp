@@ -30,26 +30,25 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed)
 
 // The table of contents of the program: what happens in a step, in order.
 void Simulation::step() {
-  move_walls();
+  move_walls(clock_.now());
   exchange_particles();
   refresh_neighbours();
-  evaluate_fields();
-  advance_particles();
+  system_.hard ? collide_particles() : advance_particles();
   move_prescribed_bodies();
   clock_.advance();
   guard();
 }
 
-/// Puts the walls where they are now.
-void Simulation::move_walls() {
+/// Puts the walls where they are at a time.
+void Simulation::move_walls(double time) {
   for (std::size_t w = 0; w < motions_.size(); ++w)
-    system_.walls.poses[w] = pose_at(motions_[w], clock_.now(), contact_time_now().lead, clock_.dt);
+    system_.walls.poses[w] = pose_at(motions_[w], time, contact_time_now().lead, clock_.dt);
 }
 
 void Simulation::exchange_particles() {
   if (!exchange_.due(clock_.step)) return;
   refresh_neighbours();
-  evaluate_fields();
+  evaluate_fields(clock_.now());
   const Stopwatch watch(stages_, "exchange");
   const sc_field* field = fields_matter() ? field_.data() : nullptr;
   const Moment moment = moment_of(move_now(), contact_time_now(), clock_.now());
@@ -62,15 +61,16 @@ void Simulation::refresh_neighbours() {
   refresh_lists(system_, lists_, team_);
 }
 
-void Simulation::evaluate_fields() {
+void Simulation::evaluate_fields(double time) {
   if (!fields_matter()) return;
   const Stopwatch watch(stages_, "fields");
-  evaluate(fields_, system_.particles, clock_.now(), lists_.kernels, field_);
-  set_accelerations(prescribed_, system_.particles, clock_.now(), move_now().lag, field_);
+  evaluate(fields_, system_.particles, time, lists_.kernels, field_);
+  set_accelerations(prescribed_, system_.particles, time, move_now().lag, field_);
 }
 
 /// Contacts, kick and drift in one pass: each tile of particles passes through the cache once.
 void Simulation::advance_particles() {
+  evaluate_fields(clock_.now());
   const Stopwatch watch(stages_, "contacts and motion");
   const sc_field* field = fields_matter() ? field_.data() : nullptr;
   const SweepView view = view_of(system_, lists_, move_now(), contact_time_now(), field);
@@ -80,7 +80,34 @@ void Simulation::advance_particles() {
   tally_.contacts += findings_.contacts;
   tally_.impacts += findings_.impacts;
   tally_.impact_speed += findings_.impact_speed;
-  note_travel(lists_, std::sqrt(std::max(before2, findings_.fastest2)) * clock_.dt);
+  note_ways(std::sqrt(std::max(before2, findings_.fastest2)) * clock_.dt);
+}
+
+/// Hard collisions: impulses at the positions of now, fields and what holds bodies at rest in the middle of the step.
+void Simulation::collide_particles() {
+  const sc_move move = move_now();
+  {
+    const Stopwatch watch(stages_, "contacts and motion");
+    collide_and_drift(system_, lists_, *system_.hard, move, hard_);
+  }
+  const double middle = clock_.now() + 0.5 * clock_.dt;
+  move_walls(middle);
+  evaluate_fields(middle);
+  const Stopwatch watch(stages_, "contacts and motion");
+  const sc_field* field = fields_matter() ? field_.data() : nullptr;
+  sc_move in_the_middle = move;
+  in_the_middle.rotation = frame_rotation(fields_, middle);
+  push_and_hold(system_, lists_, *system_.hard, in_the_middle, field, hard_);
+  findings_ = agree(ranks_, hard_.findings);
+  tally_.contacts += findings_.contacts;
+  tally_.impacts += findings_.impacts;
+  tally_.impact_speed += findings_.impact_speed;
+  note_ways(hard_.way);
+}
+
+/// Notes how far particles and walls went in this step.
+void Simulation::note_ways(double particles) {
+  note_travel(lists_, particles);
   double farthest = 0;
   const double next = static_cast<double>(clock_.step + 1) * clock_.dt;
   for (WallMotion& motion : motions_) farthest = std::max(farthest, greatest_way(motion, clock_.now(), next));
@@ -89,21 +116,25 @@ void Simulation::advance_particles() {
 
 void Simulation::move_prescribed_bodies() {
   if (prescribed_.empty()) return;
-  const bool leapfrog = move_now().scheme == SC_LEAPFROG;
-  const double fastest = carry(prescribed_, system_.particles, system_.domain, clock_.now(), clock_.dt, leapfrog);
+  const double fastest = carry(prescribed_, system_.particles, system_.domain, clock_.now(), clock_.dt, staggered());
   note_travel(lists_, fastest * clock_.dt);
 }
 
-void Simulation::guard() const { guard_step(system_, findings_, case_.simulation.max_overlap, clock_.now()); }
+void Simulation::guard() const {
+  guard_step(system_, findings_, case_.simulation.max_overlap, clock_.now());
+  if (system_.hard) guard_stride(system_, hard_.stride, clock_.dt, clock_.now());
+}
+
+bool Simulation::staggered() const { return !system_.hard && integrator(case_.simulation.integrator) == SC_LEAPFROG; }
 
 sc_move Simulation::move_now() const {
   sc_move m{};
   m.scheme = integrator(case_.simulation.integrator);
   m.drag = fields_.drag;
-  const bool starts_leapfrog = m.scheme == SC_LEAPFROG && clock_.step == 0;
+  const bool starts_leapfrog = staggered() && clock_.step == 0;
   m.kick = starts_leapfrog ? 0.5 * clock_.dt : clock_.dt;
   m.drift = clock_.dt;
-  m.lag = m.scheme == SC_LEAPFROG && !starts_leapfrog ? 0.5 * clock_.dt : 0.0;
+  m.lag = staggered() && !starts_leapfrog ? 0.5 * clock_.dt : 0.0;
   m.gravity = fields_.uniform;
   m.rotation = frame_rotation(fields_, clock_.now());
   m.fluid_density = fields_.density;
@@ -118,9 +149,9 @@ sc_contact_time Simulation::contact_time_now() const {
 
 const Sample& Simulation::sample() {
   if (sampled_step_ == clock_.step) return sample_;
-  move_walls();
+  move_walls(clock_.now());
   refresh_neighbours();
-  evaluate_fields();
+  evaluate_fields(clock_.now());
   const Stopwatch watch(stages_, "samples");
   take_sample(system_, lists_, move_now(), contact_time_now(), fields_matter() ? field_.data() : nullptr, sample_);
   set_velocities(prescribed_, sample_.system.particles, clock_.now());

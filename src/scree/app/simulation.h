@@ -15,6 +15,7 @@
 #include "scree/input/case.h"
 #include "scree/mpi/ranks.h"
 #include "scree/output/archive.h"
+#include "scree/particles/hard/step.h"
 #include "scree/particles/sample.h"
 
 namespace scree {
@@ -65,23 +66,29 @@ class Simulation {
   const std::optional<CohesiveImpact>& typical_impact() const { return typical_impact_; }
   const Tally& tally() const { return tally_; }
   const SweepFindings& findings() const { return findings_; }
+  /// The last step of the hard model.
+  const HardStep& hard() const { return hard_; }
   const StageSeconds& stages() const { return stages_; }
   StageSeconds& stages() { return stages_; }
   const char* instruction_set() const { return lists_.kernels.name; }
   int threads() const { return team_.threads; }
 
  private:
-  void move_walls();
+  void move_walls(double time);
   void exchange_particles();
   void move_prescribed_bodies();
   void refresh_neighbours();
-  void evaluate_fields();
+  void evaluate_fields(double time);
   void advance_particles();
+  void collide_particles();
   void guard() const;
 
   /// Whether a pass needs to know what acts at each particle.
   bool fields_matter() const { return act_locally(fields_) || !prescribed_.empty(); }
 
+  /// Whether velocities are kept half a step behind the positions.
+  bool staggered() const;
+  void note_ways(double particles);
   sc_move move_now() const;
   sc_contact_time contact_time_now() const;
 
@@ -102,6 +109,7 @@ class Simulation {
   StageSeconds stages_;
   Sample sample_;
   std::int64_t sampled_step_ = -1;
+  HardStep hard_;
 };
 
 }  // namespace scree

@@ -5,15 +5,17 @@
 #include <vector>
 
 #include "scree/physics/contact/contact.h"
+#include "scree/physics/impulse/impact.h"
 
 namespace scree {
 
 /// Materials by index, and the constants of each pair as a full symmetric table.
 struct Materials {
   std::vector<std::string> names;
-  std::vector<double> density;      // [kg/m3]
-  std::vector<sc_pair_law> law;     // [materials][materials]
-  std::vector<double> restitution;  // [materials][materials]: what the damping ratio was derived from
+  std::vector<double> density;        // [kg/m3]
+  std::vector<sc_pair_law> law;       // [materials][materials]
+  std::vector<double> restitution;    // [materials][materials]: what the damping ratio was derived from
+  std::vector<sc_impact_law> impact;  // [materials][materials]: for hard collisions
 
   int count() const { return static_cast<int>(names.size()); }
   std::size_t index(int a, int b) const {

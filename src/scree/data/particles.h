@@ -27,7 +27,7 @@ enum class Travels { always, on_migration, never };
   FIELD(image, std::int32_t, 4, on_migration, true, "periods travelled along x y z, unused")                        \
   FIELD(mass, double, 1, on_migration, true, "mass [kg], also of bodies that move as prescribed")                   \
   FIELD(effect_excess, double, 1, on_migration, true, "effect radius minus body radius [m]")                        \
-  FIELD(loss, double, 4, on_migration, true, "energy lost by normal damping, sliding, rolling [J], unused")         \
+  FIELD(loss, double, 4, on_migration, true, "energy lost by normal damping, sliding, rolling, relocation [J]")     \
   FIELD(work, double, 4, on_migration, true, "work by drag, body force, prescribed motion, walls [J]")              \
   FIELD(impulse, double, 4, on_migration, true, "impulse of drag, fields, walls, fixed bodies x y z [N s], unused") \
   FIELD(angular_impulse, double, 4, on_migration, true, "their angular impulse about the origin x y z [N m s], unused")

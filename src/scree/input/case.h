@@ -63,6 +63,7 @@ struct MaterialKeys {
   std::optional<double> young, poisson;  // Hertz, Mindlin, JKR [Pa], [-]
   std::optional<double> stiffness;       // linear normal spring [N/m]
   double restitution = 1;
+  double tangential_restitution = 0;       // of hard collisions that stick
   double friction = 0;                     // static and sliding
   std::optional<double> friction_sliding;  // default: as friction
   double rolling_friction = 0, twisting_friction = 0;
@@ -73,11 +74,12 @@ struct MaterialKeys {
 /// What a pair of materials has of its own; what is empty is mixed from the two materials.
 struct PairKeys {
   std::array<std::string, 2> materials;
-  std::optional<double> stiffness, young, restitution, friction, friction_sliding, rolling_friction, twisting_friction,
-      cohesion_stiffness, adhesion;
+  std::optional<double> stiffness, young, restitution, tangential_restitution, friction, friction_sliding,
+      rolling_friction, twisting_friction, cohesion_stiffness, adhesion;
 };
 
 struct ContactKeys {
+  std::string collision = "soft";  // soft, hard
   sc_laws laws{SC_NORMAL_LINEAR, SC_TANGENTIAL_HISTORY, SC_ROLLING_NONE, SC_TWISTING_NONE, SC_COHESION_NONE};
   double tangential_stiffness_ratio = 2.0 / 7.0;  // k_t / k_n of the linear laws
   std::optional<double> tangential_damping;       // damping ratio; default: as the normal one
@@ -85,6 +87,16 @@ struct ContactKeys {
   double rolling_damping = 0.3;
   double twisting_stiffness_ratio = 1.0;
   double twisting_damping = 0.3;
+};
+
+/// How hard collisions are solved.
+struct HardKeys {
+  std::string order = "coloured";  // coloured, sequential
+  std::uint64_t sweeps = 100;
+  double residual = 1e-4;           // of the fastest approach
+  std::optional<double> threshold;  // approaches up to it are no collisions [m/s]; empty: by gravity
+  double slop = 1e-3;               // overlap that stays, over the smaller radius
+  double travel = 0.02;             // of the smallest diameter at top speed in a step, when the time step is "auto"
 };
 
 /// A distribution of diameters; every one has a minimum and a maximum.
@@ -274,6 +286,7 @@ struct Case {
   GravityKeys gravity;
   FlowKeys flow;
   ContactKeys contact;
+  HardKeys hard;
   std::vector<MaterialKeys> materials;
   std::vector<PairKeys> pairs;
   std::vector<ParticleKeys> particles;
@@ -284,5 +297,8 @@ struct Case {
   AnalysisKeys analysis;
   VerifyKeys verify;  // used by `scree verify` only
 };
+
+/// Whether collisions are impulses.
+inline bool is_hard(const Case& c) { return c.contact.collision == "hard"; }
 
 }  // namespace scree

@@ -30,6 +30,7 @@ std::string in_words(const Vec3& v);
 std::string item_path(const char* list, std::size_t index);
 
 void check_materials(const Check& check);  // names, references, what the laws need
+void check_hard(const Check& check);       // hard collisions
 void check_geometry(const Check& check);   // domain, regions, positions
 void check_walls(const Check& check);      // shapes, meshes, motions
 void check_particles(const Check& check);  // sizes, insertion, flow

@@ -85,8 +85,18 @@ void needs(const Check& check, std::size_t material, const char* key, const std:
                fmt::format("'{}' is missing", key), fmt::format("add '{}'   (scree explain materials.{})", key, key));
 }
 
+void needs_density(const Check& check) {
+  const Case& c = check.c;
+  for (std::size_t i = 0; i < c.materials.size(); ++i) {
+    const bool used = std::any_of(c.particles.begin(), c.particles.end(),
+                                  [&](const ParticleKeys& p) { return p.material == c.materials[i].name; });
+    if (used && c.materials[i].density == 0) needs(check, i, "density", "because particles are made of it");
+  }
+}
+
 void needed_by_laws(const Check& check) {
   const Case& c = check.c;
+  if (is_hard(c)) return needs_density(check);
   const sc_laws& laws = c.contact.laws;
   const bool springs = laws.normal == SC_NORMAL_LINEAR || laws.normal == SC_NORMAL_LINEAR_PLAIN;
   const bool tangential = laws.tangential >= SC_TANGENTIAL_STEP_SPRING && laws.tangential <= SC_TANGENTIAL_HISTORY;
@@ -106,11 +116,7 @@ void needed_by_laws(const Check& check) {
     if (!m.poisson && elastic)
       needs(check, i, "poisson", "for contact.normal = 'hertz' or contact.tangential = 'mindlin'");
   }
-  for (std::size_t i = 0; i < c.materials.size(); ++i) {
-    const bool used = std::any_of(c.particles.begin(), c.particles.end(),
-                                  [&](const ParticleKeys& p) { return p.material == c.materials[i].name; });
-    if (used && c.materials[i].density == 0) needs(check, i, "density", "because particles are made of it");
-  }
+  needs_density(check);
 }
 
 void laws_agree(const Check& check) {
@@ -135,9 +141,10 @@ struct Property {
   bool required;  // the chosen law does nothing if it is zero everywhere
 };
 
-std::vector<Property> properties(const sc_laws& laws) {
+std::vector<Property> properties(const Case& c) {
+  const sc_laws& laws = c.contact.laws;
   return {{"friction", &MaterialKeys::friction, &PairKeys::friction, "tangential",
-           laws.tangential != SC_TANGENTIAL_NONE, false},
+           laws.tangential != SC_TANGENTIAL_NONE || is_hard(c), false},
           {"rolling_friction", &MaterialKeys::rolling_friction, &PairKeys::rolling_friction, "rolling",
            laws.rolling != SC_ROLLING_NONE, laws.rolling != SC_ROLLING_NONE},
           {"twisting_friction", &MaterialKeys::twisting_friction, &PairKeys::twisting_friction, "twisting",
@@ -198,7 +205,7 @@ void check_materials(const Check& check) {
   references(check);
   laws_agree(check);
   if (check.sound({"contact"})) needed_by_laws(check);
-  for (const Property& p : properties(c.contact.laws)) property_and_law(check, p);
+  for (const Property& p : properties(c)) property_and_law(check, p);
   values_agree(check);
 }
 

@@ -13,6 +13,7 @@ const Section& domain_section();
 const Section& gravity_section();
 const Section& flow_section();
 const Section& contact_section();
+const Section& hard_section();
 const Section& materials_section();
 const Section& pairs_section();
 const Section& particles_section();

@@ -10,7 +10,7 @@ const Section& case_section() {
       "A case: what is simulated, and what is written.",
       {table("simulation", &Case::simulation, simulation_section()), table("domain", &Case::domain, domain_section()),
        table("gravity", &Case::gravity, gravity_section()), table("flow", &Case::flow, flow_section()),
-       table("contact", &Case::contact, contact_section()),
+       table("contact", &Case::contact, contact_section()), table("hard", &Case::hard, hard_section()),
        tables<Case, MaterialKeys>(
            "materials", [](Case & c) -> auto& { return c.materials; }, materials_section()),
        tables<Case, PairKeys>(
@@ -43,7 +43,7 @@ const Section& simulation_section() {
            .may_change_at_restart(),
        key("time_step", &S::time_step,
            "time step; \"auto\" is the shortest contact time divided by steps_per_contact, less where dashpots are "
-           "strong")
+           "strong; for hard collisions what hard.travel says")
            .unit("s")
            .above(0)
            .or_word("auto"),
@@ -126,8 +126,8 @@ const Section& ledger_section() {
            .at_least(0)
            .may_change_at_restart(),
        key("omit", &S::omit, "channels left out of the books on purpose, to see that the check bites")
-           .one_of({"normal", "sliding", "rolling", "drag", "body", "prescribed", "walls", "inserted", "removed",
-                    "momentum_impulse", "angular_impulse"})},
+           .one_of({"normal", "sliding", "rolling", "drag", "body", "prescribed", "walls", "relocation", "inserted",
+                    "removed", "momentum_impulse", "angular_impulse"})},
       [] { return std::make_shared<S>(); }};
   return section;
 }

@@ -27,6 +27,9 @@ const Section& materials_section() {
            "speed after over speed before a head-on collision without cohesion; with cohesion or adhesion, which "
            "lengthen the contact and take their own share, bodies come back more slowly or stay")
            .between(1e-4, 1),
+       key("tangential_restitution", &S::tangential_restitution,
+           "of hard collisions that stick: sliding speed after over before, backwards")
+           .between(0, 1),
        key("friction", &S::friction, "coefficient of friction, static and sliding").between(0, 100),
        key("friction_sliding", &S::friction_sliding, "coefficient while sliding")
            .between(0, 100)
@@ -57,6 +60,9 @@ const Section& pairs_section() {
        key("young", &S::young, "effective modulus E* of the pair").unit("Pa").above(0).defaults_to("mixed"),
        key("restitution", &S::restitution, "speed after over speed before a head-on collision without cohesion")
            .between(1e-4, 1)
+           .defaults_to("mixed"),
+       key("tangential_restitution", &S::tangential_restitution, "of hard collisions that stick")
+           .between(0, 1)
            .defaults_to("mixed"),
        key("friction", &S::friction, "coefficient of friction, static and sliding")
            .between(0, 100)

@@ -110,7 +110,11 @@ const Section& contact_section() {
       "contact",
       "[contact]",
       "The laws of contact, chosen independently of each other.",
-      {law("normal", &sc_laws::normal,
+      {key("collision", &S::collision,
+           "soft: springs and dashpots, the laws below; hard: impulses with restitution and friction, which read the "
+           "materials only ([hard] says how they are solved)")
+           .one_of({"soft", "hard"}),
+       law("normal", &sc_laws::normal,
            "linear: spring and dashpot that never pull, the damping corrected for it; linear_plain: the same, but it "
            "may pull at the end of a contact; hertz: Hertz's spring with Tsuji's damping")
            .one_of({"linear", "linear_plain", "hertz"}),

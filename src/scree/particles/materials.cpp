@@ -72,16 +72,27 @@ void mix_stiffness(sc_pair_law& law, const MaterialProperties& a, const Material
   law.tangential_stiffness = settings.tangential_stiffness_ratio * law.stiffness;
 }
 
+struct Frictions {
+  double fixed = 0, sliding = 0;
+};
+
+Frictions frictions_of(const MaterialProperties& a, const MaterialProperties& b, const PairProperties& own) {
+  const double mixed_sliding =
+      geometric_mean(a.friction_sliding.value_or(a.friction), b.friction_sliding.value_or(b.friction));
+  return {own.friction.value_or(geometric_mean(a.friction, b.friction)),
+          own.friction_sliding.value_or(own.friction.value_or(mixed_sliding))};
+}
+
 sc_pair_law mix(const MaterialProperties& a, const MaterialProperties& b, const PairProperties& own, double restitution,
                 const ContactSettings& settings) {
   sc_pair_law law{};
+  if (settings.hard) return law;
   mix_stiffness(law, a, b, own, settings);
   law.damping = damping_ratio(settings.laws.normal, restitution);
   law.tangential_damping = settings.tangential_damping.value_or(law.damping);
-  law.friction_static = own.friction.value_or(geometric_mean(a.friction, b.friction));
-  const double mixed_sliding =
-      geometric_mean(a.friction_sliding.value_or(a.friction), b.friction_sliding.value_or(b.friction));
-  law.friction_sliding = own.friction_sliding.value_or(own.friction.value_or(mixed_sliding));
+  const Frictions friction = frictions_of(a, b, own);
+  law.friction_static = friction.fixed;
+  law.friction_sliding = friction.sliding;
   law.rolling_stiffness = settings.rolling_stiffness_ratio;
   law.rolling_damping = settings.rolling_damping;
   law.rolling_friction = own.rolling_friction.value_or(geometric_mean(a.rolling_friction, b.rolling_friction));
@@ -90,6 +101,17 @@ sc_pair_law mix(const MaterialProperties& a, const MaterialProperties& b, const 
   law.twisting_friction = own.twisting_friction.value_or(geometric_mean(a.twisting_friction, b.twisting_friction));
   law.cohesion_stiffness = own.cohesion_stiffness.value_or(geometric_mean(a.cohesion_stiffness, b.cohesion_stiffness));
   law.adhesion = own.adhesion.value_or(geometric_mean(a.adhesion, b.adhesion));
+  return law;
+}
+
+sc_impact_law impact_of(const MaterialProperties& a, const MaterialProperties& b, const PairProperties& own) {
+  const Frictions friction = frictions_of(a, b, own);
+  sc_impact_law law{};
+  law.restitution = own.restitution.value_or(geometric_mean(a.restitution, b.restitution));
+  law.tangential_restitution =
+      own.tangential_restitution.value_or(geometric_mean(a.tangential_restitution, b.tangential_restitution));
+  law.friction_static = friction.fixed;
+  law.friction = friction.sliding;
   return law;
 }
 
@@ -105,18 +127,19 @@ Materials make_materials(const std::vector<MaterialProperties>& materials, const
   const int n = out.count();
   out.law.resize(out.names.size() * out.names.size());
   out.restitution.resize(out.law.size());
+  out.impact.resize(out.law.size());
   for (int a = 0; a < n; ++a)
     for (int b = a; b < n; ++b) {
       const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const PairProperties& p) {
         return std::minmax(p.a, p.b) == std::minmax(a, b);
       });
       const PairProperties own = found == pairs.end() ? PairProperties{} : *found;
-      const double restitution =
-          own.restitution.value_or(geometric_mean(materials[a].restitution, materials[b].restitution));
-      const sc_pair_law law = mix(materials[a], materials[b], own, restitution, settings);
+      const sc_impact_law impact = impact_of(materials[a], materials[b], own);
+      const sc_pair_law law = mix(materials[a], materials[b], own, impact.restitution, settings);
       for (const std::size_t place : {out.index(a, b), out.index(b, a)}) {
         out.law[place] = law;
-        out.restitution[place] = restitution;
+        out.restitution[place] = impact.restitution;
+        out.impact[place] = impact;
       }
     }
   return out;

@@ -8,6 +8,7 @@
 #include "scree/base/exact_sum.h"
 #include "scree/compute/launch.h"
 #include "scree/particles/contact_state.h"
+#include "scree/particles/hard/sample.h"
 
 namespace scree {
 namespace {
@@ -104,6 +105,12 @@ StoredEnergy stored_energy(const ParticleSystem& s) {
 
 void take_sample(const ParticleSystem& system, ContactLists& lists, sc_move move, sc_contact_time time,
                  const sc_field* field, Sample& out) {
+  if (system.hard) {
+    take_hard_sample(system, lists, time.dt, out);
+    out.wall_loads = loads_of(out.system, out.wall_load);
+    add_outside_forces(out, move, field);
+    return;
+  }
   out.system = system;
   out.force.resize(4 * system.particles.size());
   // The kick that brings velocities to the time of the positions: none where they are there already.

@@ -1,6 +1,7 @@
 // Everything that a step of the particles reads and changes.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "scree/compute/team.h"
@@ -9,6 +10,7 @@
 #include "scree/data/particles.h"
 #include "scree/data/walls.h"
 #include "scree/particles/contacts.h"
+#include "scree/particles/hard/settings.h"
 #include "scree/particles/sweep.h"
 #include "scree/particles/wall_contacts.h"
 
@@ -24,6 +26,7 @@ struct ParticleSystem {
   Particles particles;
   PairContacts contacts;
   WallContacts wall_contacts;
+  std::optional<HardSettings> hard;  // collisions are impulses: contacts remember these
 };
 
 /// What keeps the lists valid and how the next pass goes.

@@ -1,0 +1,77 @@
+#include "scree/particles/hard/books.h"
+
+namespace scree {
+namespace {
+
+sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
+
+void add(double* to, sc_vec v) {
+  to[0] += v.x;
+  to[1] += v.y;
+  to[2] += v.z;
+}
+
+/// An impulse from outside on particle i, entered with particle `account`, at a point `arm` from the centre of i.
+void book_outside(Particles& p, std::int32_t account, std::int32_t i, sc_vec arm, sc_vec impulse) {
+  add(p.impulse.row(account), impulse);
+  add(p.angular_impulse.row(account), sc_cross(sc_add(vec_of(p.motion.row(i)), arm), impulse));
+}
+
+/// What `fixed`, of infinite mass, does to its partner: `impulse` on the partner.
+void book_fixed(Particles& p, const HardContacts& h, std::int32_t fixed, sc_vec arm, sc_vec impulse) {
+  book_outside(p, fixed, fixed, arm, impulse);
+  const HardBody& body = h.bodies[fixed];
+  p.work.row(fixed)[2] += sc_dot(impulse, sc_add(body.velocity, sc_cross(body.spin, arm)));
+}
+
+void book_losses(Particles& p, const HardContact& c) {
+  const double share = c.at_wall() ? 1 : 0.5;
+  p.loss.row(c.a)[0] += share * c.lost_normal;
+  p.loss.row(c.a)[1] += share * c.lost_sliding;
+  if (c.at_wall()) return;
+  p.loss.row(c.b)[0] += share * c.lost_normal;
+  p.loss.row(c.b)[1] += share * c.lost_sliding;
+}
+
+void put(double* to, double sign, sc_vec v) {
+  to[0] = sign * v.x;
+  to[1] = sign * v.y;
+  to[2] = sign * v.z;
+}
+
+}  // namespace
+
+void book_contacts(Particles& p, HardContacts& h, sc_vec HardContact::*impulse) {
+  for (HardContact& c : h.all) {
+    book_losses(p, c);
+    c.lost_normal = c.lost_sliding = 0;
+    const sc_vec on_a = c.*impulse;
+    if (c.at_wall()) {
+      book_outside(p, c.a, c.a, c.arm_a, on_a);
+      p.work.row(c.a)[3] += sc_dot(on_a, c.surface);
+      continue;
+    }
+    if (h.bodies[c.a].inverse_mass == 0) book_fixed(p, h, c.a, c.arm_a, sc_scale(-1, on_a));
+    if (h.bodies[c.b].inverse_mass == 0) book_fixed(p, h, c.b, c.arm_b, on_a);
+  }
+}
+
+void remember(ParticleSystem& s, const HardContacts& h) {
+  for (const HardContact& c : h.all) {
+    const std::size_t at = 4 * std::size_t(c.memory);
+    if (c.at_wall()) {
+      put(&s.wall_contacts.slide[at], 1, c.held);
+      put(&s.wall_contacts.roll[at], 1, c.struck);
+      s.wall_contacts.slide[at + 3] = c.approach;
+      s.wall_contacts.active[c.memory] = contact_code(true, c.slid);
+      continue;
+    }
+    const double on_owner = s.contacts.pairs.owner[c.memory] == c.a ? 1 : -1;
+    put(&s.contacts.slide[at], on_owner, c.held);
+    put(&s.contacts.roll[at], on_owner, c.struck);
+    s.contacts.slide[at + 3] = c.approach;
+    s.contacts.active[c.memory] = contact_code(true, c.slid);
+  }
+}
+
+}  // namespace scree

@@ -1,0 +1,17 @@
+// What impulses and fields of a step of the hard model mean for the books of the particles.
+#pragma once
+
+#include "scree/particles/hard/contacts.h"
+
+namespace scree {
+
+/// Books the impulses of one phase, at the present places: losses by half on both partners; impulse, angular impulse
+/// and work of walls on their particles; those of bodies of infinite mass on these. `impulse` is HardContact::struck or
+/// ::held. Forgets the losses in the contacts.
+void book_contacts(Particles& particles, HardContacts& contacts, sc_vec HardContact::*impulse);
+
+/// Leaves the impulses of the step in the memory of pairs and walls: those that hold as `slide`, those of collisions as
+/// `roll`, all as they act on the owner.
+void remember(ParticleSystem& system, const HardContacts& contacts);
+
+}  // namespace scree

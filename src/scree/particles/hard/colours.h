@@ -1,0 +1,33 @@
+// The order in which sweeps visit contacts: colours, so that threads may share the contacts of one.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "scree/particles/hard/contacts.h"
+
+namespace scree {
+
+/// Colours the contacts: of two contacts of one body that can move, the one whose key has the higher hash chooses
+/// first, the lowest colour that is free (the outcome of Jones and Plassmann 1993 with these priorities). A function of
+/// the keys alone, as random as the hash, so that sweeps have no preferred direction.
+void colour_contacts(HardContacts& contacts);
+
+/// Contacts of a colour from which on threads share them.
+inline constexpr std::uint32_t worth_sharing_contacts = 512;
+
+/// Calls visit(contact) for all contacts, colour after colour; returns the largest of the numbers that it returns.
+template <class Visit>
+double visit_all(HardContacts& h, Visit&& visit) {
+  double largest = 0;
+  const std::size_t colours = h.colour_first.size() - 1;
+  for (std::size_t k = 0; k < colours; ++k) {
+    const std::int64_t begin = h.colour_first[k], end = h.colour_first[k + 1];
+    const bool alone = end - begin < worth_sharing_contacts || (h.leftover && k + 1 == colours);
+#pragma omp parallel for schedule(static) reduction(max : largest) if (!alone)
+    for (std::int64_t i = begin; i < end; ++i) largest = std::max(largest, visit(h.all[h.order[i]]));
+  }
+  return largest;
+}
+
+}  // namespace scree

@@ -1,0 +1,74 @@
+#include "scree/particles/hard/step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scree/particles/hard/books.h"
+#include "scree/particles/hard/colours.h"
+#include "scree/particles/hard/phases.h"
+#include "scree/particles/hard/relocate.h"
+
+namespace scree {
+namespace {
+
+SweepFindings count(const HardContacts& h) {
+  SweepFindings out;
+  out.contacts = static_cast<std::int64_t>(h.all.size());
+  for (const HardContact& c : h.all) out.deepest = std::max(out.deepest, c.overlap / c.smaller);
+  return out;
+}
+
+/// Contacts that began with an approach.
+void count_impacts(const HardContacts& h, SweepFindings& findings) {
+  for (const HardContact& c : h.all) {
+    if (!c.began || c.approach == 0 || c.at_wall()) continue;
+    ++findings.impacts;
+    findings.impact_speed += std::llround(c.approach / speed_quantum);
+  }
+}
+
+/// How far bodies went.
+void measure_ways(const Particles& p, const sc_move& move, HardStep& step) {
+  step.way = step.stride = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const sc_vec sum = sc_add(step.before[i].velocity, step.contacts.bodies[i].velocity);
+    const double way = 0.5 * move.drift * sc_norm(sum);
+    step.way = std::max(step.way, step.relocated + way);
+    step.stride = std::max(step.stride, way / p.motion.row(i)[lane::radius]);
+  }
+}
+
+}  // namespace
+
+void collide_and_drift(ParticleSystem& s, ContactLists& lists, const HardSettings& settings, const sc_move& move,
+                       HardStep& step) {
+  HardContacts& h = step.contacts;
+  find_hard_contacts(s, lists, h);
+  colour_contacts(h);
+  step.findings = count(h);
+  step.relocated = relocate(s, h, settings, move.gravity);
+  step.collision_sweeps = collide(h, settings, move.kick * sc_norm(move.gravity));
+  count_impacts(h, step.findings);
+  book_contacts(s.particles, h, &HardContact::struck);
+  step.before = h.bodies;
+  drift(s.particles, h.bodies, 0.5 * move.drift);
+}
+
+void push_and_hold(ParticleSystem& s, ContactLists& lists, const HardSettings& settings, const sc_move& move,
+                   const sc_field* field, HardStep& step) {
+  HardContacts& h = step.contacts;
+  push(s.particles, h.bodies, move, field, step.given);
+  if (!settings.sequential) {
+    for (HardContact& c : h.all) look_again(s, c);
+    step.rest_sweeps = hold(h, step.before, settings);
+    book_contacts(s.particles, h, &HardContact::held);
+  }
+  const SweepView view = view_of(s, lists, move, {}, field);
+  book_push(s.particles, step.before, h.bodies, move, view.book_gravity, step.given);
+  drift(s.particles, h.bodies, 0.5 * move.drift);
+  settle(view, h.bodies, step.findings);
+  measure_ways(s.particles, move, step);
+  remember(s, h);
+}
+
+}  // namespace scree

@@ -1,0 +1,32 @@
+// One step of the hard model, in two halves: what happens before the forces of the step are known, and after.
+#pragma once
+
+#include "scree/particles/hard/contacts.h"
+#include "scree/particles/hard/motion.h"
+#include "scree/particles/hard/settings.h"
+
+namespace scree {
+
+/// Scratch of a step.
+struct HardStep {
+  HardContacts contacts;
+  std::vector<HardBody> before;  // after the collisions, before the forces
+  std::vector<HardPush> given;
+  double relocated = 0;  // the longest way of a body by relocation [m]
+  int collision_sweeps = 0, rest_sweeps = 0;
+  double way = 0;     // and in all [m]
+  double stride = 0;  // the longest way by its velocity, over the body's radius [-]
+  SweepFindings findings;
+};
+
+/// Finds the contacts, takes overlapping bodies apart, lets those that approach collide, and carries everybody half a
+/// step. Walls must be where they are at the beginning of the step.
+void collide_and_drift(ParticleSystem& system, ContactLists& lists, const HardSettings& settings, const sc_move& move,
+                       HardStep& step);
+
+/// Forces of fields, the impulses that hold contacts at rest, and the other half of the way. Walls and `field` must be
+/// those in the middle of the step.
+void push_and_hold(ParticleSystem& system, ContactLists& lists, const HardSettings& settings, const sc_move& move,
+                   const sc_field* field, HardStep& step);
+
+}  // namespace scree
