@@ -56,7 +56,7 @@ std::vector<std::string> series_columns(const Case& c) {
   if (!build_feeds(c).empty() || !c.outlets.empty())
     names.insert(names.end(), {"inserted_count", "inserted_mass", "inserted_energy", "removed_count", "removed_mass",
                                "removed_energy"});
-  if (is_hard(c)) names.push_back("work_relocation");
+  if (is_hard(c)) names.insert(names.end(), {"work_relocation", "collisions"});
   for (const OutletKeys& outlet : c.outlets)
     names.insert(names.end(), {"outlet_" + outlet.name + "_count", "outlet_" + outlet.name + "_mass"});
   if (c.analysis.agglomerates)
@@ -111,7 +111,7 @@ std::vector<double> values_of(const SeriesRow& r) {
                            r.speeds.mean,
                            r.collision_speed,
                            r.stickiness};
-  if (r.relocation) v.push_back(*r.relocation);
+  if (r.hard) v.insert(v.end(), {r.hard->work_relocation, whole(r.hard->collisions)});
   if (const auto& p = r.passed) {
     v.insert(v.end(), {whole(p->inserted_count), p->inserted_mass, m.inserted, whole(p->removed_count), p->removed_mass,
                        m.removed});

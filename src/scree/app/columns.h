@@ -30,6 +30,12 @@ struct PassedRow {
 PassedRow passed_of(const Exchange& exchange);
 
 /// One row of the series.
+/// What hard collisions add to a row.
+struct HardRow {
+  double work_relocation = 0;   // [J]
+  std::int64_t collisions = 0;  // of pairs, since the start
+};
+
 struct SeriesRow {
   double time = 0;  // [s]
   std::int64_t step = 0;
@@ -38,9 +44,9 @@ struct SeriesRow {
   std::int64_t particles = 0, contacts = 0;
   double max_overlap = 0;
   Speeds speeds;
-  double collision_speed = 0;        // mean approach speed of the contacts begun since the last row; NaN if none [m/s]
-  double stickiness = 0;             // at that speed; NaN without cohesion
-  std::optional<double> relocation;  // work of relocation, with hard collisions [J]
+  double collision_speed = 0;  // mean approach speed of the contacts begun since the last row; NaN if none [m/s]
+  double stickiness = 0;       // at that speed; NaN without cohesion
+  std::optional<HardRow> hard;
   std::optional<PassedRow> passed;
   std::optional<AgglomerateSummary> agglomerates;
   std::vector<WallLoad> wall_loads;

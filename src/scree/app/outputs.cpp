@@ -123,7 +123,7 @@ void Outputs::append_row(Simulation& simulation) {
   row.measured = measured();
   row.particles = static_cast<std::int64_t>(sample.system.particles.size());
   if (simulation.exchange().active()) row.passed = passed_of(simulation.exchange());
-  if (is_hard(case_)) row.relocation = row.measured.relocation_work;
+  if (is_hard(case_)) row.hard = HardRow{row.measured.relocation_work, tally.impacts};
   row.balance = row_;
   row.wall_loads = sample.wall_loads;
   row.contacts = sample.findings.contacts;
