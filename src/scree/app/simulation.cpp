@@ -86,6 +86,7 @@ void Simulation::advance_particles() {
 /// Hard collisions: impulses at the positions of now, fields and what holds bodies at rest in the middle of the step.
 void Simulation::collide_particles() {
   const sc_move move = move_now();
+  hard_.contacts.team = team_;
   {
     const Stopwatch watch(stages_, "contacts and motion");
     collide_and_drift(system_, lists_, *system_.hard, move, hard_);

@@ -13,9 +13,6 @@ namespace scree {
 /// the keys alone, as random as the hash, so that sweeps have no preferred direction.
 void colour_contacts(HardContacts& contacts);
 
-/// Contacts of a colour from which on threads share them.
-inline constexpr std::uint32_t worth_sharing_contacts = 512;
-
 /// Calls visit(contact) for all contacts, colour after colour; returns the largest of the numbers that it returns.
 template <class Visit>
 double visit_all(HardContacts& h, Visit&& visit) {
@@ -23,8 +20,8 @@ double visit_all(HardContacts& h, Visit&& visit) {
   const std::size_t colours = h.colour_first.size() - 1;
   for (std::size_t k = 0; k < colours; ++k) {
     const std::int64_t begin = h.colour_first[k], end = h.colour_first[k + 1];
-    const bool alone = end - begin < worth_sharing_contacts || (h.leftover && k + 1 == colours);
-#pragma omp parallel for schedule(static) reduction(max : largest) if (!alone)
+    const int hands = h.leftover && k + 1 == colours ? 1 : h.team.hands(static_cast<std::size_t>(end - begin));
+#pragma omp parallel for schedule(static) reduction(max : largest) num_threads(hands) if (hands > 1)
     for (std::int64_t i = begin; i < end; ++i) largest = std::max(largest, visit(h.all[h.order[i]]));
   }
   return largest;

@@ -43,6 +43,7 @@ struct HardContact {
 /// All contacts in the order of their keys, pairs before walls; and the order in which sweeps visit them: colour by
 /// colour, none of which has two contacts of one body that can move.
 struct HardContacts {
+  Team team{1};                             // shares the contacts of a colour
   std::vector<HardBody> bodies;             // of all particles
   std::vector<HardContact> all;             // by key
   std::vector<std::uint32_t> order;         // by colour, then by key
