@@ -136,6 +136,24 @@ TEST(Derived, FewStepsAreRefusedOrWarnedOf) {
   EXPECT_NE(check_report(c, derive(c)).find("refused  time step"), std::string::npos);
 }
 
+TEST(Derived, MoreStepsThanCanBeCountedAreRefusedWithTheirPlace) {
+  const std::string text =
+      "[simulation]\nend = 1e15\n[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n[[materials]]\nname = \"a\"\n"
+      "density = 2500\nstiffness = 1e5\n[[particles]]\nmaterial = \"a\"\ndiameter = 0.01\ncount = 8\n";
+  const auto time_step = [](const Case& c) { return time_step_of(c, build_materials(c), body_kinds(c)); };
+  const Case c = parse_case(text, "case.toml");
+  try {
+    time_step(c);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("case.toml:2:7: error[E132]: end = 1e+15 s at a step of "))
+        << error.what();
+  }
+  EXPECT_GT(time_step(parse_case(text, "case.toml", {"simulation.end=1e10"})), 0);
+  EXPECT_THROW(time_step(parse_case(text, "case.toml", {"simulation.end=1e11", "simulation.time_step=1e-6"})),
+               InputError);
+}
+
 TEST(Derived, SizesCountByWhatCanBeDrawn) {
   Case c = linear_case();
   c.walls.clear();

@@ -37,6 +37,16 @@ TEST(NextDue, IsTheFirstStepAtOrAfterEachInstant) {
   EXPECT_EQ(next_due(5, 0, 0.1), std::numeric_limits<std::int64_t>::max());
 }
 
+TEST(NextDue, EndsForEveryIntervalAndStep) {
+  constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+  // Longer than can be counted in steps: never. So short that one instant more is lost in rounding: every step.
+  EXPECT_EQ(next_due(0, 1, 1e-300), never);
+  EXPECT_EQ(next_due(7, 1e15, 1e-10), never);
+  EXPECT_EQ(next_due(7, 1e-300, 1e-5), 8);
+  EXPECT_EQ(next_due(123456789, 1e-30, 1e-5), 123456790);
+  EXPECT_EQ(step_at(1, 1e-300), never);
+}
+
 TEST(NextDue, DoesNotDependOnRounding) {
   // Intervals of a whole number of steps, in numbers that no double holds exactly, also after very many steps.
   for (const double dt : {1e-7, 3e-7, 0.7e-5, 1.0 / 3e6})

@@ -10,6 +10,8 @@
 #include "scree/app/speed_estimate.h"
 #include "scree/base/error.h"
 #include "scree/data/particles.h"
+#include "scree/input/checks.h"
+#include "scree/input/located.h"
 #include "scree/particles/contacts.h"
 #include "scree/physics/contact/collision_time.h"
 
@@ -199,6 +201,8 @@ double time_step_of(const Case& c, const Materials& materials, const std::vector
         "simulation: a time step of {:.4g} s gives {:.3g} steps per contact of {}, fewer than {:g}\n"
         "  = help: use a time step of at most {:.3g} s (25 steps per contact), or \"auto\"",
         step.time_step, step.steps_per_contact, step.shortest, fewest_steps_per_contact, step.contact_time / 25));
+  if (!(step.steps <= most_steps))
+    throw error_at(c, "simulation.end", too_many_steps(c.simulation.end, step.time_step));
   return step.time_step;
 }
 

@@ -12,6 +12,7 @@
 #include "scree/app/run_loop.h"
 #include "scree/base/atomic_file.h"
 #include "scree/base/version.h"
+#include "scree/input/checks.h"
 #include "scree/input/write.h"
 
 namespace scree {
@@ -69,6 +70,16 @@ int threads_of(const RunOptions& options) {
     throw InputError(fmt::format("--threads {}: this process may use {} processors; give at most {}", options.threads,
                                  processors, most));
   return options.threads > 0 ? options.threads : processors;
+}
+
+/// The step of the end. The case's own has been looked at; --until may be beyond all counting.
+std::int64_t end_step(double end, double dt) {
+  if (!(end / dt <= most_steps))
+    throw InputError(
+        fmt::format("--until {:.6g}: error[E132]: at a step of {:.4g} s that is {:.3g} steps, at most "
+                    "{:.1e} can be counted",
+                    end, dt, end / dt, most_steps));
+  return step_at(end, dt);
 }
 
 Summary begin_summary(const Case& c, const Clock& clock, double end) {
@@ -179,6 +190,7 @@ RunResult run_case(const Case& c, const RunOptions& options) {
   if (beginning.nothing_to_do) return {};
   Simulation simulation(c, threads, beginning.archive ? &*beginning.archive : nullptr);
   if (beginning.archive) simulation.restore(*beginning.archive);
+  const std::int64_t last_step = end_step(end, simulation.clock().dt);
   const RunDirectory directory(options.directory, beginning.existing, c.path);
   if (beginning.archive) directory.drop_checkpoints_after(static_cast<std::uint64_t>(simulation.clock().step));
   Outputs outputs(c, directory, simulation.clock(), beginning.archive ? &*beginning.archive : nullptr);
@@ -188,7 +200,7 @@ RunResult run_case(const Case& c, const RunOptions& options) {
 
   RunResult result;
   result.summary = begin_summary(c, simulation.clock(), end);
-  RunLoop run{simulation, outputs, WallLimit(begin, options.wall_time), step_at(end, simulation.clock().dt)};
+  RunLoop run{simulation, outputs, WallLimit(begin, options.wall_time), last_step};
   std::optional<Progress> progress;
   if (!options.quiet) progress.emplace(detect_progress(stderr), simulation.clock().now(), end);
   const InterruptGuard interrupt;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -279,8 +280,11 @@ struct VerifyKeys {
   std::vector<VerifyPlotKeys> plots;
 };
 
+struct CaseText;  // input/located.h
+
 struct Case {
-  std::string path;  // of the case file
+  std::string path;                      // of the case file
+  std::shared_ptr<const CaseText> text;  // and where its keys stand, for messages; empty if made without a file
   SimulationKeys simulation;
   DomainKeys domain;
   GravityKeys gravity;

@@ -36,6 +36,14 @@ bool Check::sound(std::initializer_list<std::string> paths) const {
   });
 }
 
+Problem too_many_steps(double end, double time_step) {
+  return {"E132",
+          {},
+          fmt::format("end = {:.6g} s at a step of {:.4g} s is {:.3g} steps", end, time_step, end / time_step),
+          fmt::format("at most {:.1e}", most_steps),
+          "check the units of simulation.end and simulation.time_step"};
+}
+
 std::string in_words(const Vec3& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
 
 std::string item_path(const char* list, std::size_t index) { return fmt::format("{}.{}", list, index); }

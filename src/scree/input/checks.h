@@ -23,6 +23,12 @@ struct Check {
   bool sound(std::initializer_list<std::string> paths) const;
 };
 
+/// A run of more steps cannot tell one from the next by its time in double precision, which has 53 bits.
+inline constexpr double most_steps = 9007199254740992;
+
+/// The problem of a run of more than `most_steps` (E132), still without a place.
+Problem too_many_steps(double end, double time_step);
+
 /// "(1, 2, 3)".
 std::string in_words(const Vec3& v);
 

@@ -90,6 +90,18 @@ void check_tracks(const Check& check) {
                  fmt::format("ids go from 0 to {}", total - 1));
 }
 
+void check_steps(const Check& check) {
+  const SimulationKeys& s = check.c.simulation;
+  if (!s.time_step || !check.sound({"simulation.end", "simulation.time_step"})) return;
+  if (*s.time_step > s.end)
+    check.fail("E167", "simulation.time_step", "the time step is longer than the run",
+               fmt::format("end is {} s", s.end));
+  if (!(s.end / *s.time_step <= most_steps)) {
+    const Problem problem = too_many_steps(s.end, *s.time_step);
+    check.fail("E132", "simulation.time_step", problem.message, problem.note, problem.help);
+  }
+}
+
 }  // namespace
 
 void check_particles(const Check& check) {
@@ -103,9 +115,7 @@ void check_particles(const Check& check) {
   }
   check_flow(check);
   check_tracks(check);
-  if (check.sound({"simulation.end", "simulation.time_step"}) && c.simulation.time_step.value_or(0) > c.simulation.end)
-    check.fail("E167", "simulation.time_step", "the time step is longer than the run",
-               fmt::format("end is {} s", c.simulation.end));
+  check_steps(check);
 }
 
 }  // namespace scree

@@ -30,6 +30,11 @@ constexpr ErrorCode codes[] = {
     {"E122", "missing unit", "A number in quotes must have a unit. Without quotes it is in SI units."},
     {"E130", "out of range", "The number is outside the limits of its key."},
     {"E131", "not finite", "Infinities and NaN are no values of a case."},
+    {"E132", "too many steps",
+     "The end of the run divided by its time step is more than 2^53, about 9e15: beyond it the time of a step cannot "
+     "be "
+     "told from that of the next, and no machine gets there. Usually a unit is missing: an end in seconds where "
+     "\"1 ms\" was meant, or a time step of picoseconds."},
     {"E140", "not a formula",
      "The text could not be compiled as a formula. `scree explain formulas` says what formulas can contain."},
     {"E150", "key without effect",

@@ -12,6 +12,7 @@
 #include "scree/base/error.h"
 #include "scree/input/bind.h"
 #include "scree/input/checks.h"
+#include "scree/input/located.h"
 #include "scree/input/overrides.h"
 #include "scree/input/toml_reader.h"
 
@@ -135,6 +136,7 @@ Case parse_case(std::string_view text, const std::string& path_for_messages, con
   // With overrides this may be a variant itself, which those of the others would contradict.
   if (result.problems.empty() && overrides.empty()) check_variants(root, result);
   if (!result.problems.empty()) throw InputError(render(sources, result.problems, colour));
+  result.c.text = std::make_shared<const CaseText>(CaseText{sources, result.origins, colour});
   return result.c;
 }
 
