@@ -18,8 +18,12 @@ def read_walls(frame_path):
     earlier = [n for n in known if n <= number]
     if not earlier:
         return None
-    with h5py.File(known[max(earlier)], "r") as file:
-        points, triangles, wall = (file[name][:] for name in ("points", "triangles", "wall"))
+    path = known[max(earlier)]
+    with h5py.File(path, "r") as file:
+        points = file["points"][:]
+        topology = file.attrs.get("triangles_in", path.name)
+    with h5py.File(path.with_name(topology), "r") as file:
+        triangles, wall = file["triangles"][:], file["wall"][:]
     return (points, triangles, wall) if len(triangles) else None
 
 

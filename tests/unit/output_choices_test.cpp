@@ -1,4 +1,5 @@
 // Which fields the frames hold, how exactly, and how small; and what all of it will cost.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -204,6 +205,36 @@ TEST(OutputCost, CountsContactsAndAverages) {
   const std::string report = check_report(c, derive(c), "", {});
   EXPECT_NE(report.find("contacts of every frame, up to "), std::string::npos) << report;
   EXPECT_NE(report.find(" files of averages, "), std::string::npos) << report;
+}
+
+TEST(OutputCost, CountsTheFilesOfWalls) {
+  // A mesh that moves from the second frame to the fourth, a wall at rest, and one that appears.
+  std::string mesh = "[[walls]]\nname = \"mesh\"\nmaterial = \"glass\"\ntype = \"triangles\"\nvertices = [";
+  for (int i = 0; i < 40; ++i)
+    for (int j = 0; j < 40; ++j) {
+      const auto at = [](int x, int y) { return fmt::format("[{}, {}, -0.1], ", 0.001 * x, 0.001 * y); };
+      mesh += at(i, j) + at(i + 1, j) + at(i + 1, j + 1) + at(i, j) + at(i + 1, j + 1) + at(i, j + 1);
+    }
+  mesh += "]\nmotion = { type = \"velocity\", velocity = [0, 0, -1], start = 1.5e-3, stop = 3.5e-3 }\n";
+  const std::string late =
+      "[[walls]]\nname = \"late\"\nmaterial = \"glass\"\ntype = \"plane\"\npoint = [0, 0, -0.001]\nnormal = [0, 0, 1]\n"
+      "from = 4.5e-3\n";
+  const auto costs = [](const std::string& walls) {
+    const Case c = case_of(crowd_text(plain, 30) + walls, {"simulation.end=6e-3", "output.frames=1e-3"});
+    const TemporaryDirectory space;
+    run_case(c, into(space / "run"));
+    const auto [bytes, files] = files_in(space / "run/walls");
+    const DerivedCost cost = derive(c).cost;
+    EXPECT_GE(cost.wall_files, files);
+    EXPECT_LE(cost.wall_files, files + 1);
+    EXPECT_GE(cost.wall_bytes, bytes);
+    EXPECT_LE(cost.wall_bytes, 1.5 * bytes + 2 * 8e3);
+    return cost;
+  };
+  EXPECT_EQ(costs(mesh + late).wall_files, 5u);
+  const DerivedCost still = costs(late);
+  EXPECT_EQ(still.wall_files, 2u);
+  EXPECT_GT(costs(mesh).disk, still.disk + 4 * 41 * 41 * 24.0);
 }
 
 TEST(OutputCost, AContactTakesWhatTheFileTakes) {

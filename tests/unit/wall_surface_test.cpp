@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "engine_cases.h"
 #include "scree/base/atomic_file.h"
+#include "scree/output/hdf5_file.h"
 
 namespace scree {
 namespace {
@@ -70,6 +72,17 @@ TEST(WallSurface, GoesWithTheWallAndAppearsWithIt) {
   EXPECT_EQ(surface_of(plate + "from = 0.1\n", 0.15).wall.size(), 2u);
 }
 
+TEST(WallSurface, TrianglesOfAMeshShareTheirCorners) {
+  // A square of two triangles, and another wall of one triangle with the same first corner.
+  const WallSurface surface = surface_of(
+      "name = \"square\"\ntype = \"triangles\"\n"
+      "vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0]]\n[[walls]]\nname = \"flag\"\n"
+      "type = \"triangles\"\nmaterial = \"steel\"\nvertices = [[0, 0, 0], [0, 0, 1], [0, 1, 1]]\n");
+  EXPECT_EQ(surface.points.size(), 3u * (4 + 3));
+  EXPECT_EQ(surface.wall, (std::vector<std::int32_t>{0, 0, 1}));
+  EXPECT_NEAR(area(surface), 1.5, 1e-12);
+}
+
 TEST(SurfaceWriter, WritesWhatHasMovedAndGoesOn) {
   const fs::path directory = fs::path(::testing::TempDir()) / "scree_wall_surface";
   fs::remove_all(directory);
@@ -86,11 +99,19 @@ TEST(SurfaceWriter, WritesWhatHasMovedAndGoesOn) {
   writer.write(0.3, 3, here);
   const std::string all = read_text_file(directory / "walls.xdmf");
   EXPECT_TRUE(file(0) && !file(1) && file(2) && file(3));
+  // Triangles are written once, and again where they have changed.
+  const auto holds = [&](int number, const char* dataset) {
+    const auto names = Hdf5File::open(directory / fmt::format("walls/walls_{:06}.h5", number)).names("/");
+    return std::find(names.begin(), names.end(), dataset) != names.end();
+  };
+  EXPECT_TRUE(holds(0, "triangles") && holds(0, "wall") && !holds(2, "triangles") && !holds(3, "wall"));
   SurfaceWriter again = SurfaceWriter::resume(directory, 0.25);
   EXPECT_EQ(read_text_file(directory / "walls.xdmf"), three);
   EXPECT_TRUE(file(0) && !file(1) && file(2) && !file(3));
   again.write(0.3, 3, here);
   EXPECT_EQ(read_text_file(directory / "walls.xdmf"), all);
+  again.write(0.4, 4, WallSurface{here.points, {0, 2, 1}, {0}});
+  EXPECT_TRUE(!holds(3, "triangles") && holds(4, "triangles"));
   fs::remove_all(directory);
 }
 

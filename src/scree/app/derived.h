@@ -78,6 +78,8 @@ struct DerivedCost {
   double contact_bytes = 0;                                     // of the contacts beside one frame, if they are written
   std::uint64_t average_files = 0;                              // of all [[analysis.averages]]
   double average_bytes = 0;                                     // of all these files together
+  std::uint64_t wall_files = 0;                                 // of the walls in the frames
+  double wall_bytes = 0;                                        // of all these files together, uncompressed
   double disk = 0;  // all of it, and three checkpoints: a third is written before the oldest goes [bytes]
 };
 
@@ -98,7 +100,8 @@ Derived derive(const Case& c);
 /// over every pair of materials and sizes that the case can create, walls included, and no longer than strong dashpots
 /// bear (longest_damped_step). Hertz counts with the top speed; if
 /// nothing is known to move, the step is a fifth of the Rayleigh time.
-/// Throws InputError when a contact would take fewer than ten steps, or when "auto" has no contact to go by.
+/// Throws InputError when a contact would take fewer than ten steps, when the run would take more than `most_steps`
+/// (input/checks.h), or when "auto" has no contact to go by.
 double time_step_of(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds);
 
 /// The impact that the stickiness number of the case is about: two particles of mean volume of the most numerous kind
@@ -122,5 +125,9 @@ void add_output_cost(const Case& c, double steps, DerivedCost& cost);
 /// `refusal` is why the initial state cannot be built, if it cannot; `place` is where results would go, if known.
 std::string check_report(const Case& c, const Derived& derived, const std::string& refusal = {},
                          const std::optional<OutputPlace>& place = {});
+
+/// The warnings of that text alone, for the start of a run: "2 warnings (scree check):", then a line and a remedy for
+/// each; empty if there are none.
+std::string check_warnings(const Case& c, const Derived& derived, const std::optional<OutputPlace>& place = {});
 
 }  // namespace scree

@@ -3,10 +3,14 @@
 #include <filesystem>
 
 #include "scree/analysis/averages.h"
+#include "scree/app/build.h"
+#include "scree/app/build_walls.h"
 #include "scree/app/columns.h"
 #include "scree/app/contact_fields.h"
 #include "scree/app/derived.h"
 #include "scree/app/frame_fields.h"
+#include "scree/app/wall_surface.h"
+#include "scree/input/checks.h"
 
 namespace scree {
 namespace {
@@ -16,10 +20,13 @@ namespace fs = std::filesystem;
 constexpr double bytes_per_number = 20;         // of a table: the digits of a double and a comma
 constexpr double bytes_per_contact = 11 * 8;    // of a checkpoint: two ids and the memory
 constexpr double bytes_per_frame_file = 8e3;    // attributes and headers, also of contacts and of averages
+constexpr double bytes_per_topology = 6e3;      // of the datasets of triangles, beyond these
 constexpr std::size_t checkpoints_at_once = 3;  // the last two, and the next while it is written
 
-/// How often something is written every `interval` seconds, without the first time.
-std::uint64_t times(double end, double interval) { return static_cast<std::uint64_t>(end / interval * (1 + 1e-9)); }
+/// How often something is written every `interval` seconds, without the first time: in every step at most.
+std::uint64_t times(double end, double interval) {
+  return static_cast<std::uint64_t>(std::min(end / interval * (1 + 1e-9), most_steps));
+}
 
 double bytes_per_cell() {
   std::size_t components = 0;
@@ -49,6 +56,35 @@ void add_average_cost(const Case& c, DerivedCost& cost) {
   }
 }
 
+/// Whether the motion takes the wall to other places.
+bool goes_places(const WallKeys& wall) { return wall.motion.type != "none" && wall.motion.type != "surface"; }
+
+/// The files of the walls. In the worst case they are all in every file: which parts change shows only in the run.
+void add_wall_cost(const Case& c, DerivedCost& cost) {
+  if (c.walls.empty()) return;
+  const double end = c.simulation.end;
+  double first = end, last = 0;  // of all motions [s]
+  std::uint64_t topologies = 1;
+  for (const WallKeys& wall : c.walls) {
+    if (wall.from > 0 && wall.from < end) ++topologies;
+    if (wall.until && *wall.until < end) ++topologies;
+    if (!goes_places(wall)) continue;
+    first = std::min(first, wall.motion.start);
+    last = std::max(last, std::min(end, wall.motion.stop.value_or(end)));
+  }
+  const double interval = c.output.frames > 0 ? c.output.frames : end;
+  const std::uint64_t moved = last > first ? times(last, interval) - times(first, interval) + 1 : 0;
+  cost.wall_files = std::min(cost.frames, topologies + moved);
+  topologies = std::min(cost.frames, topologies);
+  Walls walls = build_walls(c);
+  for (sc_wall_pose& pose : walls.poses) pose.present = 1;
+  const WallSurface surface = wall_surface(walls, build_domain(c));
+  const double points = static_cast<double>(surface.points.size() * sizeof(double));
+  const double triangles = static_cast<double>((surface.triangles.size() + surface.wall.size()) * sizeof(std::int32_t));
+  cost.wall_bytes = static_cast<double>(cost.wall_files) * (points + bytes_per_frame_file) +
+                    static_cast<double>(topologies) * (triangles + bytes_per_topology);
+}
+
 }  // namespace
 
 void add_output_cost(const Case& c, double steps, DerivedCost& cost) {
@@ -68,9 +104,10 @@ void add_output_cost(const Case& c, double steps, DerivedCost& cost) {
     cost.contact_bytes =
         n * cost.pairs_per_particle * static_cast<double>(file_bytes_per_contact()) + bytes_per_frame_file;
   add_average_cost(c, cost);
+  add_wall_cost(c, cost);
   cost.disk =
       static_cast<double>(cost.frames) * (cost.frame_bytes + cost.contact_bytes) + cost.average_bytes +
-      static_cast<double>(cost.rows) * cost.row_bytes +
+      cost.wall_bytes + static_cast<double>(cost.rows) * cost.row_bytes +
       static_cast<double>(std::min<std::uint64_t>(checkpoints_at_once, cost.checkpoints)) * cost.checkpoint_bytes;
 }
 

@@ -48,11 +48,7 @@ Polygon plane_in(const Domain& domain, const sc_vec& point, const sc_vec& normal
   Polygon polygon;
   for (const auto& [x, y] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}})
     polygon.push_back(sc_add_scaled(sc_add_scaled(foot, x * size, a), y * size, b));
-  for (int axis = 0; axis < 3 && !polygon.empty(); ++axis) {
-    polygon = cut(polygon, axis, 1, domain.min[static_cast<std::size_t>(axis)] - hair);
-    if (!polygon.empty()) polygon = cut(polygon, axis, -1, domain.max[static_cast<std::size_t>(axis)] + hair);
-  }
-  return polygon;
+  return part_in(domain, polygon, hair);
 }
 
 /// Collects the polygons of one wall.
@@ -68,9 +64,22 @@ class Collector {
     add(now);
   }
 
+  /// A triangle of a mesh at home. Triangles of a mesh share their corners, by number; `known` are those of this wall
+  /// that are there already.
+  void add_triangle(const sc_wall& face, std::vector<std::int32_t>& known) {
+    const std::array<sc_vec, 3> at_home = {face.a, face.b, face.c};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto corner = static_cast<std::size_t>(face.corner[k]);
+      if (corner >= known.size()) known.resize(corner + 1, -1);
+      if (known[corner] < 0) known[corner] = add_point(to_place(at_home[k]));
+      out_.triangles.push_back(known[corner]);
+    }
+    out_.wall.push_back(wall_);
+  }
+
   void add(const Polygon& polygon) {
     const auto first = static_cast<std::int32_t>(out_.points.size() / 3);
-    for (const sc_vec& x : polygon) out_.points.insert(out_.points.end(), {x.x, x.y, x.z});
+    for (const sc_vec& x : polygon) add_point(x);
     for (std::int32_t k = 2; k < static_cast<std::int32_t>(polygon.size()); ++k) {
       out_.triangles.insert(out_.triangles.end(), {first, first + k - 1, first + k});
       out_.wall.push_back(wall_);
@@ -83,6 +92,11 @@ class Collector {
   sc_vec turned(const sc_vec& direction) const { return pose_.moves ? sc_turn(pose_.turn, direction) : direction; }
 
  private:
+  std::int32_t add_point(const sc_vec& x) {
+    out_.points.insert(out_.points.end(), {x.x, x.y, x.z});
+    return static_cast<std::int32_t>(out_.points.size() / 3) - 1;
+  }
+
   WallSurface& out_;
   const sc_wall_pose& pose_;
   int wall_;
@@ -125,16 +139,27 @@ void add_frustum(Collector& out, const sc_wall& face) {
 
 }  // namespace
 
+std::vector<sc_vec> part_in(const Domain& domain, std::vector<sc_vec> polygon, double margin) {
+  for (int axis = 0; axis < 3 && !polygon.empty(); ++axis) {
+    polygon = cut(polygon, axis, 1, domain.min[static_cast<std::size_t>(axis)] - margin);
+    if (!polygon.empty()) polygon = cut(polygon, axis, -1, domain.max[static_cast<std::size_t>(axis)] + margin);
+  }
+  return polygon;
+}
+
 WallSurface wall_surface(const Walls& walls, const Domain& domain) {
   WallSurface surface;
-  for (const sc_wall& face : walls.faces) {
+  std::vector<std::int32_t> corners;  // of the wall's mesh: their places among the points
+  for (std::size_t k = 0; k < walls.faces.size(); ++k) {
+    const sc_wall& face = walls.faces[k];
+    if (k > 0 && face.body != walls.faces[k - 1].body) corners.clear();
     const sc_wall_pose& pose = walls.poses[static_cast<std::size_t>(face.body)];
     if (!pose.present) continue;
     Collector out(surface, pose, face.body);
     if (face.kind == SC_WALL_PLANE) {
       out.add(plane_in(domain, out.to_place(face.a), out.turned(face.b)));
     } else if (face.kind == SC_WALL_TRIANGLE) {
-      out.add_at_home({face.a, face.b, face.c});
+      out.add_triangle(face, corners);
     } else if (face.kind == SC_WALL_PLATE) {
       const sc_vec next = sc_add(face.a, face.b);
       out.add_at_home({face.a, next, sc_add(next, face.c), sc_add(face.a, face.c)});

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view grid_begin = "   <Grid Name=\"walls\"", grid_end = "   </Grid>\n";
-constexpr std::string_view points_end = ":/points";
+constexpr std::string_view points_end = ":/points", triangles_end = ":/triangles";
 
 template <class T>
 std::vector<T> read_rows(const Hdf5File& file, const std::string& name) {
@@ -27,10 +27,10 @@ std::vector<T> read_rows(const Hdf5File& file, const std::string& name) {
   return values;
 }
 
-WallSurface read_surface(const fs::path& path) {
-  const Hdf5File file = Hdf5File::open(path);
-  return {read_rows<double>(file, "/points"), read_rows<std::int32_t>(file, "/triangles"),
-          read_rows<std::int32_t>(file, "/wall")};
+WallSurface read_surface(const fs::path& points, const fs::path& triangles) {
+  const Hdf5File places = Hdf5File::open(points), topology = Hdf5File::open(triangles);
+  return {read_rows<double>(places, "/points"), read_rows<std::int32_t>(topology, "/triangles"),
+          read_rows<std::int32_t>(topology, "/wall")};
 }
 
 void write_dataset(Hdf5File& file, const std::string& name, const ArrayView& values, Storage storage,
@@ -40,7 +40,8 @@ void write_dataset(Hdf5File& file, const std::string& name, const ArrayView& val
   file.set_attribute(name, "meaning", meaning);
 }
 
-void write_surface(const fs::path& path, double time, const WallSurface& surface) {
+/// Without `topology`, the name of another file that holds them, triangles and their walls are written as well.
+void write_surface(const fs::path& path, double time, const WallSurface& surface, const std::string& topology) {
   write_atomically(path, [&](const fs::path& temporary) {
     Hdf5File file = Hdf5File::create(temporary);
     const std::size_t count = surface.wall.size();
@@ -49,6 +50,10 @@ void write_surface(const fs::path& path, double time, const WallSurface& surface
     file.set_attribute("/", "time_units", "s");
     write_dataset(file, "/points", array_view(surface.points.data(), surface.points.size() / 3, 3), Storage::plain, "m",
                   "corners of the triangles");
+    if (!topology.empty()) {
+      file.set_attribute("/", "triangles_in", topology);
+      return file.close();
+    }
     write_dataset(file, "/triangles", array_view(surface.triangles.data(), count, 3), Storage::compressed, "1",
                   "three corners each, as rows of /points");
     write_dataset(file, "/wall", array_view(surface.wall.data(), count), Storage::compressed, "1",
@@ -64,9 +69,9 @@ double time_of(std::string_view grid) {
   return at == std::string_view::npos ? 0 : std::stod(std::string(grid.substr(at + label.size())));
 }
 
-/// The file of the surface that the text of a grid names.
-std::string file_of(std::string_view grid) {
-  const std::size_t end = grid.find(points_end);
+/// The file that the text of a grid names for a dataset.
+std::string file_of(std::string_view grid, std::string_view dataset) {
+  const std::size_t end = grid.find(dataset);
   if (end == std::string_view::npos) return {};
   const std::size_t begin = grid.rfind('>', end) + 1;
   return std::string(grid.substr(begin, end - begin));
@@ -86,9 +91,10 @@ SurfaceWriter SurfaceWriter::resume(const fs::path& directory, double last_time)
     const std::string grid = text.substr(begin, end - begin);
     if (time_of(grid) > last_time) break;
     writer.grids_ += grid;
-    writer.file_ = file_of(grid);
+    writer.file_ = file_of(grid, points_end);
+    writer.topology_file_ = file_of(grid, triangles_end);
   }
-  if (!writer.file_.empty()) writer.last_ = read_surface(directory / writer.file_);
+  if (!writer.file_.empty()) writer.last_ = read_surface(directory / writer.file_, directory / writer.topology_file_);
   // First the list, then the files: at no moment does it name a file that is gone.
   if (!text.empty()) writer.write_list();
   for (const auto& [number, path] : list_numbered(wall_files, directory / "walls"))
@@ -103,10 +109,12 @@ void SurfaceWriter::write(double time, std::uint64_t frame, const WallSurface& s
     fs::create_directories(directory_ / "walls", error);
     if (error)
       throw ResourceError(fmt::format("cannot create '{}': {}", (directory_ / "walls").string(), error.message()));
-    write_surface(directory_ / file_, time, surface);
+    const bool same = !topology_file_.empty() && surface.triangles == last_.triangles && surface.wall == last_.wall;
+    if (!same) topology_file_ = file_;
+    write_surface(directory_ / file_, time, surface, same ? fs::path(topology_file_).filename().string() : "");
     last_ = surface;
   }
-  grids_ += xdmf_surface(file_, time, surface.points.size() / 3, surface.wall.size());
+  grids_ += xdmf_surface({file_, topology_file_, time, surface.points.size() / 3, surface.wall.size()});
   write_list();
 }
 

@@ -18,7 +18,8 @@ struct WallSurface {
 };
 
 /// Writes DIR/walls/walls_NNNNNN.h5, where NNNNNN is the first frame that shows the walls so, and DIR/walls.xdmf,
-/// which has a grid for each frame. Both are replaced atomically.
+/// which has a grid for each frame. Both are replaced atomically. A file of walls that have only moved holds their
+/// points alone; the triangles are in an earlier file, which its attribute `triangles_in` names.
 class SurfaceWriter {
  public:
   /// A new series in an existing run directory that has a folder `frames`; nothing is written before the first frame.
@@ -37,8 +38,9 @@ class SurfaceWriter {
 
   std::filesystem::path directory_;
   WallSurface last_;
-  std::string file_;   // of the last surface, relative to the run directory; empty before the first
-  std::string grids_;  // the XDMF text of the frames so far
+  std::string file_;           // of the last surface, relative to the run directory; empty before the first
+  std::string topology_file_;  // that holds its triangles
+  std::string grids_;          // the XDMF text of the frames so far
 };
 
 }  // namespace scree

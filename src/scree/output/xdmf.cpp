@@ -51,15 +51,15 @@ std::string xdmf_grid(const XdmfFrame& frame) {
   return text + "   </Grid>\n";
 }
 
-std::string xdmf_surface(const std::string& file, double time, std::uint64_t points, std::uint64_t triangles) {
+std::string xdmf_surface(const XdmfSurface& s) {
   return fmt::format(
       "   <Grid Name=\"walls\" GridType=\"Uniform\">\n    <Time Value=\"{}\"/>\n"
       "    <Topology TopologyType=\"Triangle\" NumberOfElements=\"{}\">{}</Topology>\n"
       "    <Geometry GeometryType=\"XYZ\">{}</Geometry>\n"
       "    <Attribute Name=\"wall\" AttributeType=\"Scalar\" Center=\"Cell\">{}</Attribute>\n   </Grid>\n",
-      time, triangles, data_item(file + ":/triangles", triangles, Element::int32, 3),
-      data_item(file + ":/points", points, Element::float64, 3),
-      data_item(file + ":/wall", triangles, Element::int32, 1));
+      s.time, s.triangles, data_item(s.triangles_file + ":/triangles", s.triangles, Element::int32, 3),
+      data_item(s.points_file + ":/points", s.points, Element::float64, 3),
+      data_item(s.triangles_file + ":/wall", s.triangles, Element::int32, 1));
 }
 
 std::string xdmf_grid(const XdmfCells& c) {

@@ -35,11 +35,19 @@ struct XdmfCells {
   std::vector<XdmfField> fields;
 };
 
+/// The walls at the time of one frame; files are relative to the XDMF file.
+struct XdmfSurface {
+  std::string points_file, triangles_file;  // the second holds the walls of the triangles too
+  double time = 0;                          // [s]
+  std::uint64_t points = 0, triangles = 0;
+};
+
 /// The element for one frame: a cloud of points at one time, each other field an attribute of its points.
 std::string xdmf_grid(const XdmfFrame& frame);
 
-/// The element for the walls at the time of one frame [s]: triangles, with the number of their wall.
-std::string xdmf_surface(const std::string& file, double time, std::uint64_t points, std::uint64_t triangles);
+/// The element for the walls at the time of one frame: triangles, with the number of their wall.
+std::string xdmf_surface(const XdmfSurface& surface);
+
 /// The element for averages on a grid, each field an attribute of its cells; datasets are in the group "fields".
 std::string xdmf_grid(const XdmfCells& cells);
 
