@@ -201,6 +201,37 @@ TEST(Averages, HoldTheStressOfEveryContact) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(wall[k], -sample.wall_loads[0].force[k], 1e-11);
 }
 
+/// A grid that ends where the walls do has all their force, wherever rounding puts the contact points.
+TEST(Averages, OfAFullContainerHoldTheForceOfItsWalls) {
+  Simulation s(case_of("[simulation]\nend = 1\ntime_step = 5e-6\nmax_overlap = 0.9\n[domain]\n"
+                       "min = [0.0003, -0.02, -0.02]\nmax = [0.0243, 0.02, 0.02]\n[contact]\nnormal = \"linear\"\n"
+                       "[[materials]]\nname = \"a\"\ndensity = 2000\nstiffness = 2000\nfriction = 0.5\n"
+                       "[[particles]]\nmaterial = \"a\"\ninsert = \"random\"\ncount = 250\ndiameter = 0.0021\n"
+                       "region_min = [0.0014, -0.012, -0.012]\nregion_max = [0.0232, 0.012, 0.012]\n"
+                       "velocity = { type = \"random\", deviation = 2 }\n[[walls]]\nname = \"drum\"\n"
+                       "type = \"cylinder\"\nmaterial = \"a\"\nstart = [0.0013, 0, 0]\nend = [0.0233, 0, 0]\n"
+                       "radius = 0.0171\nclosed = true\n",
+                       {"output.contacts=true"}),
+               1);
+  int contacts = 0;
+  for (int round = 0; round < 10; ++round) {
+    advance(s, 300);
+    const Sample& sample = s.sample();
+    const Averages a = average_of({{0.0013, -0.0171, -0.0171}, {0.0233, 0.0171, 0.0171}, {3, 4, 4}, {}}, sample);
+    std::array<double, 3> found{};
+    for (std::size_t c = 0; c < a.grid.size(); ++c)
+      for (int k = 0; k < 3; ++k) found[k] += a.sums[sum_of::count * c + sum_of::wall_force + k];
+    double size = 0;
+    for (const ContactForce& c : contact_forces(sample))
+      if (c.at_wall()) {
+        size += sc_norm(c.force);
+        ++contacts;
+      }
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], -sample.wall_loads[0].force[k], 1e-12 * size);
+  }
+  EXPECT_GT(contacts, 50);
+}
+
 TEST(Averages, DoNotDependOnThreads) {
   std::vector<std::vector<double>> sums;
   for (const int threads : {1, 3}) {

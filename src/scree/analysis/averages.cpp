@@ -106,8 +106,9 @@ void add_contact_at(Averages& to, const CoarseGrain& grain, Rows rows, const Car
   if (!reaches(to.grid, rows, start, c.way)) return;
   grain.line(start, c.way, pieces);
   for (const Spread& piece : pieces) add_spread(to, grain, rows, piece, sum_of::contact, c.stress);
-  const Point end = {start[0] + c.way[0], start[1] + c.way[1], start[2] + c.way[2]};
-  if (c.at_boundary && grain.contains(end)) add_spread(to, grain, rows, grain.point(end), sum_of::wall_force, c.force);
+  if (!c.at_boundary) return;
+  const Point end = grain.at_border({start[0] + c.way[0], start[1] + c.way[1], start[2] + c.way[2]});
+  if (grain.contains(end)) add_spread(to, grain, rows, grain.point(end), sum_of::wall_force, c.force);
 }
 
 /// Spreads a contact, and its images where it leaves the domain through a periodic face that the grid does not know.

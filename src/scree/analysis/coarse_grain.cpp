@@ -65,6 +65,16 @@ bool CoarseGrain::contains(const Point& x) const {
   return true;
 }
 
+Point CoarseGrain::at_border(const Point& x) const {
+  constexpr double hair = 1e-9;  // of a cell
+  Point out = x;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double near = std::clamp(x[axis], grid_.min[axis], grid_.max[axis]);
+    if (!grid_.periodic[axis] && std::abs(near - x[axis]) * per_cell_[axis] <= hair) out[axis] = near;
+  }
+  return out;
+}
+
 Spread CoarseGrain::point(const Point& x) const {
   Point at;
   std::array<int, 3> cell;

@@ -39,6 +39,10 @@ class CoarseGrain {
   /// Whether a point is in the grid's box.
   bool contains(const std::array<double, 3>& x) const;
 
+  /// The same point, or its neighbour on the border if it lies outside by no more than rounding: contact points lie on
+  /// walls, and so do the ends of a grid that fills its container.
+  std::array<double, 3> at_border(const std::array<double, 3>& x) const;
+
   /// Shares of a point in the box; they add up to one.
   Spread point(const std::array<double, 3>& x) const;
 
