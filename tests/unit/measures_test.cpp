@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "engine_cases.h"
 #include "run_files.h"
+#include "scree/app/contact_fields.h"
 #include "scree/output/hdf5_file.h"
 #include "support/temporary_directory.h"
 
@@ -100,6 +102,30 @@ TEST(Measures, OfARunAreInItsFiles) {
   EXPECT_EQ(static_cast<double>(numbers(contacts, "/contacts/normal_force").size()), rows.at("contacts").back());
   EXPECT_NE(read_text_file(space / "run/contacts.xdmf").find("contacts/contacts_000003.h5:/contacts/force"),
             std::string::npos);
+}
+
+/// The sign of a zero would tell from which partner a contact was computed, which lists decide.
+TEST(Measures, ContactsHoldNoMinusZero) {
+  for (const char* positions :
+       {"[[0.01, 0.05, 0.05], [0.0199, 0.05, 0.05]]", "[[0.0199, 0.05, 0.05], [0.01, 0.05, 0.05]]"}) {
+    Simulation s(case_of("[simulation]\nend = 1\ntime_step = 1e-5\n[domain]\nmin = [0, 0, 0]\nmax = [0.1, 0.1, 0.1]\n"
+                         "[[materials]]\nname = \"glass\"\ndensity = 2500\nstiffness = 1000\nfriction = 0.5\n"
+                         "[[particles]]\nmaterial = \"glass\"\ndiameter = 0.01\ninsert = \"positions\"\npositions = " +
+                             std::string(positions) + "\n",
+                         {"output.contacts=true"}),
+                 1);
+    s.step();
+    int zeros = 0;
+    for (const FrameColumn& column : contact_columns(s.sample())) {
+      if (column.values.element != Element::float64) continue;
+      const double* values = static_cast<const double*>(column.values.data);
+      for (std::uint64_t k = 0; k < column.values.rows * column.values.columns; ++k) {
+        EXPECT_FALSE(values[k] == 0 && std::signbit(values[k])) << column.name;
+        zeros += values[k] == 0;
+      }
+    }
+    EXPECT_GT(zeros, 0);
+  }
 }
 
 TEST(Measures, GoOnAfterARestartToTheSameBits) {

@@ -15,7 +15,10 @@ FrameColumn column(const char* name, const char* unit, const char* meaning, std:
   return {name, unit, meaning, array_view(kept->data(), kept->size() / components, components), kept};
 }
 
-void append(std::vector<double>& to, const sc_vec& v) { to.insert(to.end(), {v.x, v.y, v.z}); }
+/// -0 as 0: the sign of a zero depends on which partner a contact was computed from, and that on the lists.
+double plain(double x) { return x + 0.0; }
+
+void append(std::vector<double>& to, const sc_vec& v) { to.insert(to.end(), {plain(v.x), plain(v.y), plain(v.z)}); }
 
 /// The contact point, inside the periodic box.
 sc_vec point_of(const ParticleSystem& s, const ContactForce& c) {
@@ -61,7 +64,7 @@ std::vector<FrameColumn> contact_columns(const Sample& sample) {
     append(table.position, point_of(sample.system, c));
     append(table.normal, c.normal);
     append(table.force, c.force);
-    table.normal_force.push_back(-sc_dot(c.force, c.normal));
+    table.normal_force.push_back(plain(-sc_dot(c.force, c.normal)));
     append(table.tangential_force, sc_reject(c.force, c.normal));
   }
   return columns_of(std::move(table));

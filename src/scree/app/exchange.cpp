@@ -11,7 +11,7 @@
 namespace scree {
 namespace {
 
-/// Plain structs of eight-byte members as whole numbers, and back.
+/// Plain structs of eight-byte members, without gaps between them, as whole numbers, and back.
 template <class T>
 std::vector<std::int64_t> as_words(const T* values, std::size_t count) {
   static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(std::int64_t) == 0);

@@ -67,7 +67,7 @@ class ExactSum {
   static constexpr int count = 67;
   static constexpr std::uint64_t digit_mask = 0xffffffffu;
   // One value changes a digit by less than 2^52 + 2^32, so that a thousand of them stay within 63 bits.
-  static constexpr std::int32_t most_pending = 1000;
+  static constexpr std::int64_t most_pending = 1000;
 
   void carry() {
     std::int64_t above = 0;
@@ -135,9 +135,12 @@ class ExactSum {
   }
 
   std::array<std::int64_t, count> digits_{};
-  double special_ = 0;        // sum of the infinities and NaN
-  std::int32_t pending_ = 0;  // values added since the last carry
+  double special_ = 0;  // sum of the infinities and NaN
+  // Values added since the last carry. As wide as the rest: sums are saved as they lie in memory, where a gap would
+  // hold whatever was there before.
+  std::int64_t pending_ = 0;
 };
+static_assert(sizeof(ExactSum) == (67 + 2) * sizeof(std::int64_t));
 
 /// The sum of vectors, component by component.
 struct ExactVectorSum {
