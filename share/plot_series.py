@@ -91,6 +91,67 @@ def draw_momentum(axes, series):
     draw_lines(axes, series, {f"momentum_{x}": x for x in "xyz"}, "N s")
 
 
+def draw_passage(axes, series):
+    axes.set_title("Mass that came and went since the start")
+    outlets = {name: name[:-5].replace("outlet_", "left through ", 1) for name in ending(series, "_mass")
+               if name.startswith("outlet_")}
+    names = {"inserted_mass": "came in", "removed_mass": "left"}
+    if len(outlets) > 1:
+        names |= outlets
+    draw_lines(axes, in_grams(series, names), names, "g")
+
+
+def draw_planes(axes, series):
+    axes.set_title("Mass flow through planes")
+    names = {f"{plane}_rate": plane for plane in planes_of(series)}
+    draw_lines(axes, in_grams(series, names), names, "g/s")
+
+
+def draw_forces(axes, series):
+    axes.set_title("Force on walls")
+    draw_lengths(axes, series, "force", "N")
+
+
+def draw_torques(axes, series):
+    axes.set_title("Torque on walls")
+    draw_lengths(axes, series, "torque", "N m")
+
+
+def ending(series, end):
+    return [name for name in series if name.endswith(end)]
+
+
+def planes_of(series):
+    """Names of the planes: no other columns count what passes against a normal."""
+    return [name.removesuffix("_against") for name in ending(series, "_against")]
+
+
+def in_grams(series, names):
+    return {"t": series["t"]} | {name: 1000 * series[name] for name in names if name in series}
+
+
+def draw_lengths(axes, series, what, unit):
+    """The lengths of a vector of every wall; of the largest, where there are many walls."""
+    walls = [name.removesuffix(f"_{what}_x") for name in ending(series, f"_{what}_x")]
+    lengths = {wall: np.sqrt(sum(series[f"{wall}_{what}_{x}"] ** 2 for x in "xyz")) for wall in walls}
+    shown = sorted(sorted(walls, key=lambda wall: -np.nanmax(lengths[wall]))[: len(COLOURS)], key=walls.index)
+    draw_lines(axes, lengths | {"t": series["t"]}, {wall: wall for wall in shown}, unit)
+
+
+def panels_of(series):
+    """What there is to draw."""
+    panels = [draw_energies, draw_exchanges, draw_errors, draw_contacts, draw_speeds]
+    panels += [draw_agglomerates, draw_sizes, draw_structure] if "agglomerates" in series else [draw_momentum]
+    if "inserted_mass" in series:
+        panels.append(draw_passage)
+    if planes_of(series):
+        panels.append(draw_planes)
+    for end, panel in (("_force_x", draw_forces), ("_torque_x", draw_torques)):
+        if any(moves(series[name[:-1] + x]) for name in ending(series, end) for x in "xyz"):
+            panels.append(panel)
+    return panels
+
+
 def draw_agglomerates(axes, series):
     axes.set_title("Agglomeration")
     pair(axes, series, ("agglomerated_fraction", "particles in agglomerates [%]", 100), ("agglomerates", "agglomerates", 1))
@@ -137,16 +198,18 @@ def draw(series_path, picture_path):
         return None
     factor, unit = si_scale(series["time"].max(), "s")
     series["t"] = factor * series["time"]
-    panels = [draw_energies, draw_exchanges, draw_errors, draw_contacts, draw_speeds]
-    panels += [draw_agglomerates, draw_sizes, draw_structure] if "agglomerates" in series else [draw_momentum]
+    panels = panels_of(series)
     with plt.rc_context(STYLE):
-        rows = len(panels) // 2
+        rows = (len(panels) + 1) // 2
         figure, places = plt.subplots(rows, 2, figsize=(12, 3.1 * rows), dpi=130, sharex=True, layout="constrained")
         for place, panel in zip(places.flat, panels):
             panel(place, series)
             place.set_xlim(series["t"].min(), series["t"].max() if len(series["t"]) > 1 else None)
-        for place in places[-1]:
+        for place in places.flat[len(panels):]:
+            place.set_visible(False)
+        for place in places.flat[max(0, len(panels) - 2):len(panels)]:
             place.set_xlabel(f"time [{unit}]")
+            place.tick_params(labelbottom=True)
         figure.savefig(picture_path)
         plt.close(figure)
     return picture_path

@@ -87,6 +87,19 @@ class Pictures(unittest.TestCase):
         self.assertGreater(ink, 0.02)
         self.assertGreater(colour, 0.005)
 
+    def test_series_show_what_passes_and_what_walls_bear(self):
+        usual = ["time", "energy_error", "energy_turnover", "contacts", "max_overlap"]
+        more = ["inserted_mass", "removed_mass", "outlet_out_mass", "mouth_count", "mouth_against", "mouth_mass", "mouth_rate",
+                *(f"floor_{what}_{x}" for what in ("force", "torque") for x in "xyz")]
+        titles = {}
+        for names in (usual, usual + more):
+            write_series(self.directory / "series.csv", names)
+            series = plot_series.read_series(self.directory / "series.csv")
+            titles[len(names)] = [panel.__name__ for panel in plot_series.panels_of(series)]
+            self.assertIsNotNone(plot_series.draw(self.directory / "series.csv", self.directory / "series.png"))
+        few, all_of_them = titles.values()
+        self.assertEqual(all_of_them, few + ["draw_passage", "draw_planes", "draw_forces", "draw_torques"])
+
     def test_speed_is_the_colour(self):
         position = np.array([[0.3, 0.5, 0.5], [0.7, 0.5, 0.5]])
         slow = self.drawn(position, [0.4, 0.4], 0 * position)
@@ -106,6 +119,9 @@ class Pictures(unittest.TestCase):
         for number, height in ((0, 0.2), (2, 0.9), (3, 0.4)):
             with h5py.File(folder / f"walls_{number:06}.h5", "w") as file:
                 file["points"] = square * [1, 1, 0] + [0, 0, height]
+                if number > 0:  # has only moved
+                    file.attrs["triangles_in"] = "walls_000000.h5"
+                    continue
                 file["triangles"], file["wall"] = [[0, 1, 2], [0, 2, 3]], [0, 0]
         points, triangles, wall = walls.read_walls(frame)
         self.assertEqual(set(points[:, 2]), {0.9})
