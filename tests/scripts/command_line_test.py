@@ -107,6 +107,31 @@ class CommandLine(unittest.TestCase):
         refusal = self.refused("run", "case.toml", "--restart", "first", "--set", "materials.glass.density=2600")
         self.assertIn("materials.glass.density  was 2500, is 2600", refusal)
 
+    def test_a_finished_run_has_nothing_to_go_on_with(self):
+        self.scree("run", "case.toml", "--quiet", "-o", "run")
+        before = (self.work / "run" / "series.csv").read_text()
+        again = self.scree("run", "case.toml", "-o", "run", "--restart", "latest")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertIn("the run in 'run' is already finished, at t = 0.0005 s", again.stderr)
+        self.assertEqual((self.work / "run" / "series.csv").read_text(), before)
+        longer = self.scree("run", "case.toml", "-o", "run", "--restart", "latest", "--until", "0.6 ms")
+        self.assertEqual(longer.returncode, 0, longer.stderr)
+        self.assertEqual(self.summary("run")["first_step"], 25)
+
+    def test_a_run_begins_with_the_warnings_of_the_check(self):
+        change = ("--set", 'outlets=[{name="out", type="region", min=[1, 1, 1], max=[2, 2, 2]}]')
+        warning = "outlet 'out': lies outside the domain and takes no particle"
+        loud = self.scree("run", "case.toml", "-o", "run", *change)
+        self.assertEqual(loud.returncode, 0, loud.stderr)
+        self.assertIn("warning (scree check):\n  " + warning, loud.stderr)
+        self.assertNotIn("warning", self.scree("run", "case.toml", "-o", "run2", "--quiet", *change).stderr)
+        self.assertNotIn("warning", self.scree("run", "case.toml", "-o", "run3").stderr)
+
+    def test_steps_beyond_counting_are_refused(self):
+        self.assertIn("--set simulation.end=1e15: error[E132]", self.refused(
+            "run", "case.toml", "--set", "simulation.end=1e15", "--set", 'simulation.time_step="auto"'))
+        self.assertIn("--until 1e+15: error[E132]", self.refused("run", "case.toml", "--until", "1e15"))
+
     def test_check_tells_what_a_run_writes_and_the_room_for_it(self):
         report = self.scree("check", "case.toml", "-o", "elsewhere").stdout
         self.assertRegex(report, r"writes +2 frames of [0-9.]+ kB, 6 rows of \d+ B, 1 checkpoint of [0-9.]+ kB\n")

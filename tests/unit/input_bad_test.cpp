@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "scree/base/error.h"
@@ -66,10 +67,12 @@ TEST(BadInput, EachCaseIsReportedAsExpected) {
 
 TEST(BadInput, ThereAreManyCasesAndNearlyEveryCodeIsAmongThem) {
   EXPECT_GE(cases().size(), 45u);
+  // The file itself, the memory, files beside it, and the command line.
+  const std::set<std::string_view> elsewhere = {"E100", "E133", "E172", "E174", "E190"};
   std::string all;
   for (const fs::path& path : cases()) all += message_of(path);
   for (const ErrorCode& code : error_codes())
-    EXPECT_TRUE(code.code == "E100" || code.code == "E190" || all.find(code.code) != std::string::npos) << code.code;
+    EXPECT_TRUE(elsewhere.contains(code.code) || all.find(code.code) != std::string::npos) << code.code;
 }
 
 TEST(BadInput, UnreadableFilesAreNamed) {

@@ -5,9 +5,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <set>
 
 #include "scree/base/error.h"
 #include "scree/base/units.h"
+#include "scree/input/codes.h"
 #include "scree/input/explain.h"
 #include "scree/input/keys.h"
 #include "scree/input/suggest.h"
@@ -47,6 +50,28 @@ TEST(Explain, SuggestsWhenItKnowsNothing) {
   EXPECT_THROW(explain("qwertyuiop"), InputError);
   EXPECT_EQ(did_you_mean("chek", {"run", "check", "verify"}), "did you mean 'check'?");
   EXPECT_EQ(did_you_mean("zzz", {"run", "check"}), "");
+}
+
+/// Every code that some message of the program carries.
+std::set<std::string> codes_in_sources() {
+  std::set<std::string> found;
+  const std::regex code("\"(E[0-9]{3})\"|\\[(E[0-9]{3})\\]");
+  for (const auto& entry : fs::recursive_directory_iterator(source / "src")) {
+    if (!entry.is_regular_file() || entry.path().filename() == "codes.cpp") continue;
+    const std::string text = read(entry.path());
+    for (std::sregex_iterator it(text.begin(), text.end(), code); it != std::sregex_iterator(); ++it)
+      found.insert((*it)[1].matched ? (*it)[1].str() : (*it)[2].str());
+  }
+  return found;
+}
+
+TEST(Explain, KnowsEveryCodeOfTheSources) {
+  const std::set<std::string> used = codes_in_sources();
+  EXPECT_GT(used.size(), 25u);
+  std::set<std::string> known;
+  for (const ErrorCode& code : error_codes()) known.emplace(code.code);
+  EXPECT_EQ(used, known);
+  for (const std::string& code : used) EXPECT_NE(explain(code).find(code), std::string::npos) << code;
 }
 
 TEST(Keys, EachIsWellDeclared) {

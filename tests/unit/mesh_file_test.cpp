@@ -203,6 +203,11 @@ TEST(MeshReport, CountsWhatIsWrong) {
   EXPECT_NEAR(report_mesh(stl_mesh(two)).volume, 10, 1e-12);
   const MeshReport tube = report_mesh(stl_mesh(test::cylinder_triangles(2, 5, 24)));
   EXPECT_EQ(tube.open_edges, 48);
+  ASSERT_EQ(tube.rims.size(), 2u);
+  EXPECT_EQ(tube.rims[0].edges, 24);
+  EXPECT_NEAR(tube.rims[0].low.x, -2, 1e-12);
+  EXPECT_NEAR(std::abs(tube.rims[0].low.z - tube.rims[1].low.z), 5, 1e-12);
+  EXPECT_EQ(tube.rims[0].low.z, tube.rims[0].high.z);
   EXPECT_NEAR(tube.area, 24 * 2 * 2 * std::sin(std::numbers::pi / 24) * 5, 1e-12);
 }
 
@@ -215,6 +220,7 @@ TEST(MeshReport, SaysItInWords) {
   EXPECT_EQ(describe(report_mesh(stl_mesh(bad))),
             "11 triangles, 8 vertices, 1 piece; 2 x 3 x 1.5 m from (-1, 0, 2), area 24.75 m^2, open\n"
             "3 edges have one triangle only: the surface ends there\n"
+            "rim of 3 edges, 0 x 3 x 1.5 m about (1, 1.5, 2.75)\n"
             "1 triangle that was there already was left out");
 }
 

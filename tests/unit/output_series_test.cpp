@@ -91,7 +91,10 @@ TEST(Series, OtherColumnsAndForeignLinesAreRefusedAndKept) {
     EXPECT_EQ(read_text_file(path), contents);
     return found;
   };
-  EXPECT_NE(refusal("time,energy\n0,1\n").find("it has the columns\n  time,energy\nand this run writes\n  time,step"),
+  EXPECT_NE(refusal("time,mass,energy\n0,1,1\n")
+                .find("not those of this run\n  this run has in addition: step\n  the file has in addition: mass\n"),
+            std::string::npos);
+  EXPECT_NE(refusal("time,energy,step\n0,1,1\n").find("not those of this run\n  they come in another order\n"),
             std::string::npos);
   EXPECT_NE(refusal("time,step,energy\n0,0,1\nnote,0,1\n").find("series.csv:3: not a row of 3 numbers"),
             std::string::npos);

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <sstream>
 
 #include "engine_cases.h"
 #include "run_files.h"
@@ -72,6 +73,46 @@ TEST(Failure, NumbersThatAreNoneAreNotShown) {
   EXPECT_EQ(r.summary.reason.find("end with the state"), std::string::npos) << r.summary.reason;
   EXPECT_NE(r.summary.reason.find("the last good state is in"), std::string::npos) << r.summary.reason;
   EXPECT_EQ(step_of_last_frame(space / "run"), 0u);
+  EXPECT_NE(r.summary.reason.find("body force (gravity) is no finite number"), std::string::npos) << r.summary.reason;
+}
+
+/// No number is missing but those that need not exist.
+void expect_numbers(const std::string& series) {
+  std::istringstream lines(series);
+  std::string line, cell;
+  std::getline(lines, line);
+  std::vector<std::string> names;
+  for (std::istringstream row(line); std::getline(row, cell, ',');) names.push_back(cell);
+  while (std::getline(lines, line)) {
+    std::istringstream row(line);
+    for (std::size_t k = 0; std::getline(row, cell, ','); ++k)
+      EXPECT_TRUE(names[k] == "stickiness" || names[k] == "collision_speed" || cell.find("nan") == std::string::npos)
+          << names[k] << " in " << line;
+  }
+}
+
+TEST(Failure, AFormulaWithoutNumberIsNamedWithItsWallOrGroup) {
+  // Between the instants that the check looks at.
+  const std::string formula = "\"t > 1.23e-3 && t < 1.4e-3 ? sqrt(-1) : 0\"";
+  const std::string wall =
+      "[[walls]]\nname = \"lid\"\nmaterial = \"glass\"\ntype = \"plane\"\npoint = [0, 0, 0.03]\nnormal = [0, 0, -1]\n"
+      "motion = { type = \"expression\", displacement = [0, 0, " +
+      formula + "] }\n";
+  const std::string body =
+      "[[particles]]\nname = \"stirrer\"\nmaterial = \"glass\"\ndiameter = 1e-4\ninsert = \"positions\"\n"
+      "positions = [[-0.0005, 0, 0]]\nmotion = \"prescribed\"\nmotion_velocity = [0, " +
+      formula + ", 0]\n";
+  for (const auto& [more, named] : {std::pair{wall, "the motion of wall 'lid' is no finite number"},
+                                    std::pair{body, "the velocity of the body of 'stirrer'"}}) {
+    const TemporaryDirectory space;
+    const Case c = case_of(crowd_text(plain, 30) + more, {"simulation.end=0.5", "output.series=1e-4"});
+    const RunResult r = run_case(c, into(space / "run"));
+    ASSERT_EQ(r.status, Exit::physics);
+    EXPECT_EQ(r.summary.reason.find("t = 0.0012"), 0u) << r.summary.reason;
+    EXPECT_NE(r.summary.reason.find(named), std::string::npos) << r.summary.reason;
+    EXPECT_NE(r.summary.reason.find("the last good state is in"), std::string::npos) << r.summary.reason;
+    expect_numbers(read_text_file(space / "run/series.csv"));
+  }
 }
 
 /// No file of this process may grow beyond so many bytes; like a full disk, this shows in the middle of a write.

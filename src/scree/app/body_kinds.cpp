@@ -14,7 +14,26 @@ double length(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2]
 
 double distance(const Vec3& a, const Vec3& b) { return length({a[0] - b[0], a[1] - b[1], a[2] - b[2]}); }
 
+/// Smallest and largest diameter of the distribution, and the mean volume of the first bodies of a group.
+void take_drawn(BodyKind& kind, const ParticleGroup& group, std::uint32_t index, std::uint64_t seed) {
+  constexpr std::uint64_t drawn = 1000;
+  kind.volume = 0;
+  for (std::uint64_t i = 0; i < drawn; ++i)
+    kind.volume += sphere_volume(draw_diameter(group.sizes, seed, index, i)) / drawn;
+  kind.smallest = min_diameter(group.sizes);
+  kind.largest = max_diameter(group.sizes);
+}
+
+/// Groups above this number are judged by a sample: their list of diameters alone could fill the memory.
+constexpr double too_many_to_draw = 1e7;
+
 void take_sizes(BodyKind& kind, const ParticleGroup& group, std::uint32_t index, std::uint64_t seed) {
+  if (const double count = expected_number(group, index, seed); count > too_many_to_draw) {
+    take_drawn(kind, group, index, seed);
+    kind.count = static_cast<std::uint64_t>(std::min(count, 1e18));
+    kind.volume *= count;
+    return;
+  }
   const std::vector<double> diameters = group_diameters(group, index, seed);
   kind.count = diameters.size();
   for (const double d : diameters) kind.volume += sphere_volume(d);
@@ -27,14 +46,10 @@ void take_sizes(BodyKind& kind, const ParticleGroup& group, std::uint32_t index,
 
 /// As many as a feed is expected to let in; the mean size from the first of them.
 void take_expected(BodyKind& kind, const ParticleGroup& group, const Feed& feed, const Case& c) {
-  constexpr std::uint64_t drawn = 1000;
-  for (std::uint64_t i = 0; i < drawn; ++i)
-    kind.volume += sphere_volume(draw_diameter(group.sizes, c.simulation.seed, feed.group, i)) / drawn;
+  take_drawn(kind, group, feed.group, c.simulation.seed);
   const double count = expected_count(feed, group.density * kind.volume, c.simulation.end);
   kind.count = static_cast<std::uint64_t>(std::ceil(count));
   kind.volume *= static_cast<double>(kind.count);
-  kind.smallest = min_diameter(group.sizes);
-  kind.largest = max_diameter(group.sizes);
 }
 
 void take_velocities(BodyKind& kind, const ParticleGroup& group) {
@@ -71,6 +86,16 @@ double prescribed_speed(const ParticleKeys& keys, const ParticleGroup& group, do
 }
 
 }  // namespace
+
+double expected_number(const ParticleGroup& group, std::uint32_t index, std::uint64_t seed) {
+  if (group.placement != ParticleGroup::Placement::random || group.count > 0)
+    return static_cast<double>(group_count(group));
+  BodyKind kind;
+  take_drawn(kind, group, index, seed);
+  double region = 1;
+  for (int k = 0; k < 3; ++k) region *= group.region_max[k] - group.region_min[k];
+  return group.solid_fraction * region / kind.volume;
+}
 
 double BodyKind::typical() const {
   constexpr double pi = 3.141592653589793;

@@ -8,6 +8,7 @@
 #include "scree/data/materials.h"
 #include "scree/data/particles.h"
 #include "scree/input/case.h"
+#include "scree/particles/insert.h"
 
 namespace scree {
 
@@ -31,5 +32,8 @@ struct BodyKind {
 /// The kinds of the case in the order of its groups. Draws all diameters and reads files of particles. Of groups that
 /// come from another run's checkpoint it looks at `present`, where a run goes on, in place of that file.
 std::vector<BodyKind> body_kinds(const Case& c, const Particles* present = nullptr);
+
+/// How many particles a group has from the start, where a solid fraction decides from the mean volume of the first.
+double expected_number(const ParticleGroup& group, std::uint32_t index, std::uint64_t seed);
 
 }  // namespace scree

@@ -8,6 +8,10 @@
 
 #include "scree/app/build_walls.h"
 #include "scree/app/derived.h"
+#include "scree/app/formula_check.h"
+#include "scree/app/outside.h"
+#include "scree/app/wall_jumps.h"
+#include "scree/base/memory.h"
 #include "scree/input/mesh_report.h"
 
 namespace scree {
@@ -40,7 +44,7 @@ std::string grouped(double whole) {
   return digits;
 }
 
-void say_particles(const Derived& d, Lines& lines) {
+void say_particles(const Case& c, const Derived& d, Lines& lines) {
   for (const BodyKind& kind : d.kinds) {
     const std::string size = kind.smallest == kind.largest
                                  ? fmt::format("diameter {:.4g} m", kind.smallest)
@@ -50,6 +54,13 @@ void say_particles(const Derived& d, Lines& lines) {
          fmt::format("{}, {}{}", grouped(static_cast<double>(kind.count)), size, kind.free ? "" : ", infinite mass"),
          Verdict::none, ""});
   }
+  const auto feeds = [](const ParticleKeys& p) { return p.insert == "rate"; };
+  if (std::ranges::any_of(c.particles, feeds))
+    lines.push_back({"",
+                     c.outlets.empty() ? "those of feeds as many as come in over the run"
+                                       : "those of feeds as many as come in over the run; what the outlets take is not "
+                                         "known before, so that all numbers below count it in",
+                     Verdict::none, ""});
   const double fraction = d.cost.solid_fraction;
   lines.push_back({"solid fraction of the domain", fmt::format("{:.4g} %", 100 * fraction), warn_if(fraction > 0.64),
                    "equal spheres pack to about 64 % at random; enlarge the domain or place fewer particles"});
@@ -147,6 +158,28 @@ void say_boundaries(const Case& c, const Derived& d, Lines& lines) {
          fmt::format("make it periodic, or set domain.periodic to false along {}", "xyz"[jump.axis])});
 }
 
+/// Walls, outlets and grids that are where nobody gets, and walls that jump.
+void say_places(const Case& c, const Derived& d, Lines& lines) {
+  double reach = 0, smallest = std::numeric_limits<double>::infinity();
+  for (const BodyKind& kind : d.kinds) {
+    reach = std::max(reach, 0.5 * (kind.largest + kind.effect_gap));
+    smallest = std::min(smallest, 0.5 * kind.smallest);
+  }
+  for (const std::vector<Remark>& remarks :
+       {remarks_on_places(c, reach), remarks_on_jumps(c, d.step.time_step, smallest)})
+    for (const Remark& remark : remarks)
+      lines.push_back({remark.label, remark.finding, Verdict::warning, remark.remedy});
+}
+
+/// Formulas that are not finite somewhere. Nobody need get there, so that it is no error yet.
+void say_formulas(const Case& c, Lines& lines) {
+  for (const NoNumber& found : formulas_without_number(c))
+    lines.push_back({found.key,
+                     fmt::format("is {} at ({:.4g}, {:.4g}, {:.4g}) m, t = {:.4g} s", found.value, found.at[0],
+                                 found.at[1], found.at[2], found.at[3]),
+                     Verdict::warning, "the run stops when a particle meets it: mend the formula"});
+}
+
 /// Whether the meshes are closed, and what is unusual in them.
 void say_meshes(const Case& c, Lines& lines) {
   for (const WallKeys& wall : c.walls) {
@@ -184,11 +217,14 @@ void say_cohesion(const DerivedCohesion& cohesion, Lines& lines) {
 }
 
 void say_cost(const DerivedCost& cost, Lines& lines) {
+  const std::optional<double> free = available_memory();
+  const bool short_of = free && cost.memory > *free;
   lines.push_back(
       {"memory",
-       fmt::format("{} ({:.0f} B per particle, {:.0f} B per pair, about {:.2g} pairs per particle)",
-                   size_text(cost.memory), cost.bytes_per_particle, cost.bytes_per_pair, cost.pairs_per_particle),
-       Verdict::none, ""});
+       fmt::format("{} ({:.0f} B per particle, {:.0f} B per pair, about {:.2g} pairs per particle){}",
+                   size_text(cost.memory), cost.bytes_per_particle, cost.bytes_per_pair, cost.pairs_per_particle,
+                   short_of ? fmt::format("; {} are available", size_text(*free)) : ""),
+       short_of ? Verdict::warning : Verdict::none, "take fewer or larger particles, or a larger machine"});
 }
 
 std::string many(std::uint64_t count, const char* what) {
@@ -207,6 +243,10 @@ void say_outputs(const DerivedCost& cost, const std::optional<OutputPlace>& plac
   if (cost.average_files > 0)
     lines.push_back(
         {"", fmt::format("{} of averages, {} in all", many(cost.average_files, "file"), size_text(cost.average_bytes)),
+         Verdict::none, ""});
+  if (cost.wall_files > 0)
+    lines.push_back(
+        {"", fmt::format("{} of walls, up to {} in all", many(cost.wall_files, "file"), size_text(cost.wall_bytes)),
          Verdict::none, ""});
   if (!place) {
     lines.push_back({"disk", "up to " + size_text(cost.disk), Verdict::none, ""});
@@ -233,20 +273,38 @@ std::string word(Verdict verdict) {
   }
 }
 
-}  // namespace
-
-std::string check_report(const Case& c, const Derived& d, const std::string& refusal,
-                         const std::optional<OutputPlace>& place) {
+Lines all_lines(const Case& c, const Derived& d, const std::optional<OutputPlace>& place) {
   Lines lines;
-  say_particles(d, lines);
+  say_particles(c, d, lines);
   say_step(c, d.step, lines);
   say_boundaries(c, d, lines);
   say_meshes(c, lines);
+  say_places(c, d, lines);
+  say_formulas(c, lines);
   say_fluid(c, d, lines);
   say_lift(c, d, lines);
   if (d.cohesion) say_cohesion(*d.cohesion, lines);
   say_cost(d.cost, lines);
   say_outputs(d.cost, place, lines);
+  return lines;
+}
+
+}  // namespace
+
+std::string check_warnings(const Case& c, const Derived& d, const std::optional<OutputPlace>& place) {
+  std::string text;
+  int count = 0;
+  for (const Line& line : all_lines(c, d, place)) {
+    if (line.verdict != Verdict::warning) continue;
+    ++count;
+    text += fmt::format("  {}: {}\n    = help: {}\n", line.label, line.value, line.remedy);
+  }
+  return count == 0 ? text : fmt::format("{} warning{} (scree check):\n{}", count, count == 1 ? "" : "s", text);
+}
+
+std::string check_report(const Case& c, const Derived& d, const std::string& refusal,
+                         const std::optional<OutputPlace>& place) {
+  const Lines lines = all_lines(c, d, place);
   std::size_t width = 0;
   for (const Line& line : lines) width = std::max(width, line.label.size());
   std::string text = fmt::format("{}\n\n", c.simulation.title.empty() ? c.path : c.simulation.title);

@@ -10,11 +10,13 @@
 #include "scree/app/data_files.h"
 #include "scree/app/derived.h"
 #include "scree/app/info.h"
+#include "scree/app/memory_need.h"
 #include "scree/app/plot.h"
 #include "scree/app/restart.h"
 #include "scree/app/run.h"
 #include "scree/app/simulation.h"
 #include "scree/app/verify.h"
+#include "scree/base/memory.h"
 #include "scree/input/explain.h"
 #include "scree/input/load.h"
 #include "scree/input/option.h"
@@ -102,7 +104,9 @@ Command declare_check(CLI::App& app) {
   c->add_option("-o,--output", *directory, "where the results would go [runs/NAME]");
   return {"check", [=] {
             const Case loaded = load_case(arguments->file, arguments->set);
-            const std::string refusal = refusal_of(loaded);
+            // First what nothing need be made for: a case that does not fit must not fill the memory.
+            std::string refusal = memory_refusal(loaded, available_memory());
+            if (refusal.empty()) refusal = refusal_of(loaded);
             const std::string place = directory->empty() ? default_directory(arguments->file) : *directory;
             print(check_report(loaded, derive(loaded), refusal, output_place(place)));
             return static_cast<int>(refusal.empty() ? Exit::success : Exit::input);

@@ -56,7 +56,8 @@ void derive_soft_step(const Case& c, const Materials& materials, const std::vect
       out.damped = e.what;
     }
     const double overlap = overlap_fraction(e, c.contact.laws, out.top_speed);
-    if (overlap > out.overlap) {
+    // Of walls alike it is the fastest that is hit so hard.
+    if (overlap > out.overlap || (overlap == out.overlap && !e.wall.empty() && e.wall == out.fastest_wall)) {
       out.overlap = overlap;
       out.deepest = e.what;
     }
@@ -74,6 +75,7 @@ DerivedStep derive_step(const Case& c, const Materials& materials, const std::ve
   const TopSpeed top = top_speed(c, kinds);
   out.top_speed = top.value;
   out.top_speed_source = top.source;
+  out.fastest_wall = top.wall;
   out.automatic = !c.simulation.time_step;
   if (c.simulation.time_step) out.time_step = *c.simulation.time_step;
   if (is_hard(c))

@@ -38,6 +38,7 @@ struct DerivedStep {
   double steps = 0;                                                // of the run
   double top_speed = 0;                                            // [m/s]
   std::string top_speed_source;
+  std::string fastest_wall;  // its name, if walls that move are part of the top speed
 };
 
 /// Particles and fluid. Without drag the times are infinite and the numbers zero.

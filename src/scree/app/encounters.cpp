@@ -47,6 +47,7 @@ Encounter meeting(const Materials& materials, const Body& a, const Body& b) {
 Encounter meeting(const Materials& materials, const Body& a, const std::string& wall, int wall_material) {
   Encounter e;
   e.what = fmt::format("{} with wall '{}'", named(a), wall);
+  e.wall = wall;
   e.law = materials.pair(a.kind->material, wall_material);
   e.restitution = materials.restitution[materials.index(a.kind->material, wall_material)];
   e.mass = 1 / a.inverse_mass();

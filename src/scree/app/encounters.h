@@ -14,6 +14,7 @@ namespace scree {
 /// Two bodies that may meet, each the smallest or the largest of its kind, or a body and a wall.
 struct Encounter {
   std::string what;  // in words
+  std::string wall;  // its name, if it is one with a wall
   sc_pair_law law{};
   double restitution = 1;
   double mass = 0;            // reduced mass [kg]

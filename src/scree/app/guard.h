@@ -1,6 +1,7 @@
 // Physics gone wrong: found after every step, explained with particle, place and time.
 #pragma once
 
+#include "scree/particles/fields.h"
 #include "scree/particles/system.h"
 
 namespace scree {
@@ -13,5 +14,12 @@ void guard_step(const ParticleSystem& system, const SweepFindings& findings, dou
 /// Throws PhysicsError if a body went farther than its radius in a step of the hard model, `stride` of it: it may have
 /// passed another body or a wall unseen.
 void guard_stride(const ParticleSystem& system, double stride, double dt, double time);
+
+/// Whether flow or body force may be no number somewhere.
+bool may_fail(const Fields& fields);
+
+/// Throws PhysicsError naming the key when what acts at some particle, flow or body force, is no finite number; `time`
+/// is that of the fields [s].
+void guard_fields(const Particles& particles, const Buffer<sc_field>& field, double time);
 
 }  // namespace scree

@@ -9,6 +9,7 @@
 #include "scree/app/contact_fields.h"
 #include "scree/app/frame_fields.h"
 #include "scree/app/wall_surface.h"
+#include "scree/base/error.h"
 #include "scree/input/record.h"
 
 namespace scree {
@@ -198,7 +199,11 @@ std::string Outputs::write_last_good() const {
 
 bool Outputs::show_failure(Simulation& simulation) {
   if (!books_ || !is_finite(simulation.system().particles)) return false;
-  take_stock(simulation);
+  try {
+    take_stock(simulation);
+  } catch (const PhysicsError&) {
+    return false;  // what has gone wrong, a formula say, leaves nothing to measure
+  }
   if (row_step_ != simulation.clock().step) append_row(simulation);
   write_frame(simulation);
   return true;

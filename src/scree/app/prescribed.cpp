@@ -1,7 +1,11 @@
 #include "scree/app/prescribed.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "scree/base/error.h"
 
 namespace scree {
 namespace {
@@ -17,9 +21,16 @@ void for_each_body(std::vector<PrescribedGroup>& groups, const Particles& partic
     }
 }
 
+/// Throws PhysicsError when the formulas give no finite number.
 std::array<double, 3> velocity_of(PrescribedGroup& group, const std::array<double, 3>& start, double time) {
   const double at[4] = {start[0], start[1], start[2], time};
-  return {group.velocity[0](at), group.velocity[1](at), group.velocity[2](at)};
+  const std::array<double, 3> v = {group.velocity[0](at), group.velocity[1](at), group.velocity[2](at)};
+  if (!std::isfinite(v[0] + v[1] + v[2]))
+    throw PhysicsError(
+        fmt::format("t = {:.9g} s: the velocity of the body of '{}' that began at ({:.6g}, {:.6g}, {:.6g}) m is no "
+                    "finite number, ({}, {}, {}). Mend the formulas of its particles.motion_velocity",
+                    time, group.name, start[0], start[1], start[2], v[0], v[1], v[2]));
+  return v;
 }
 
 void wrap(const Domain& domain, double& x, std::int32_t& image, int axis) {
@@ -45,7 +56,8 @@ std::vector<PrescribedGroup> build_prescribed(const Case& c, const Particles& pa
     PrescribedGroup group{
         0,
         {},
-        {Expression(formula[0], variables), Expression(formula[1], variables), Expression(formula[2], variables)}};
+        {Expression(formula[0], variables), Expression(formula[1], variables), Expression(formula[2], variables)},
+        c.particles[g].name};
     for (std::size_t i = 0; i < particles.size(); ++i) {
       if (particles.group[i] != static_cast<std::int32_t>(g)) continue;
       if (group.start.empty()) group.first = particles.id[i];
@@ -71,6 +83,13 @@ void set_accelerations(std::vector<PrescribedGroup>& groups, const Particles& pa
     const std::array<double, 3> v = velocity_of(group, start, time);
     const double* m = particles.motion.row(i) + lane::vx;
     field[i].acceleration = sc_make_vec((v[0] - m[0]) / lag, (v[1] - m[1]) / lag, (v[2] - m[2]) / lag);
+  });
+}
+
+void look_ahead(std::vector<PrescribedGroup>& groups, const Particles& particles, double now, double dt) {
+  for_each_body(groups, particles, [&](PrescribedGroup& group, std::size_t, const std::array<double, 3>& start) {
+    velocity_of(group, start, now + 0.5 * dt);
+    velocity_of(group, start, now + dt);
   });
 }
 

@@ -17,6 +17,7 @@ struct PrescribedGroup {
   std::int64_t first = 0;                    // the lowest id; those of the group follow
   std::vector<std::array<double, 3>> start;  // initial positions, by id [m]
   VectorExpression velocity;                 // [m/s]
+  std::string name;
 };
 
 /// The prescribed groups of a case whose particles are those at the start.
@@ -29,6 +30,10 @@ void set_velocities(std::vector<PrescribedGroup>& groups, Particles& particles, 
 /// formula.
 void set_accelerations(std::vector<PrescribedGroup>& groups, const Particles& particles, double time, double lag,
                        Buffer<sc_field>& field);
+
+/// Throws PhysicsError if a formula gives no finite number at the instants of the step from `now` that carry() will
+/// ask for: better before the pass than in the middle of the step.
+void look_ahead(std::vector<PrescribedGroup>& groups, const Particles& particles, double now, double dt);
 
 /// A pass has carried the bodies on for `dt` with their old velocity: puts them where their velocity at mid step takes
 /// them from `now` [s], with that velocity if `leapfrog`, else that of the end. Returns the largest speed [m/s].

@@ -82,10 +82,18 @@ Beginning from_checkpoint(const Case& c, const RunOptions& options, double end) 
   out.archive = read_archive(checkpoint);
   require_same_case(*out.archive, c);
   require_later_end(*out.archive, end);
-  if (same_place(run_directory_of(checkpoint.string()), options.directory))
-    out.existing = Existing::resume;
-  else
+  if (!same_place(run_directory_of(checkpoint.string()), options.directory)) {
     out.existing = options.force ? Existing::replace : Existing::refuse;
+    return out;
+  }
+  out.existing = Existing::resume;
+  const std::optional<PastRun> past = read_past_run(fs::path(options.directory) / "summary.json");
+  const double time = time_of(*out.archive);
+  out.nothing_to_do = past && past->status == "finished" && end <= time + 0.5 * out.archive->number("time_step");
+  if (out.nothing_to_do)
+    out.announcement = fmt::format(
+        "the run in '{}' is already finished, at t = {:.9g} s; to go on give a later end (--until or simulation.end)",
+        options.directory, time);
   return out;
 }
 

@@ -8,9 +8,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "scree/app/derived.h"
+#include "scree/app/memory_need.h"
 #include "scree/app/restart.h"
 #include "scree/app/run_loop.h"
 #include "scree/base/atomic_file.h"
+#include "scree/base/memory.h"
 #include "scree/base/version.h"
 #include "scree/input/checks.h"
 #include "scree/input/write.h"
@@ -70,6 +73,12 @@ int threads_of(const RunOptions& options) {
     throw InputError(fmt::format("--threads {}: this process may use {} processors; give at most {}", options.threads,
                                  processors, most));
   return options.threads > 0 ? options.threads : processors;
+}
+
+/// What `scree check` would warn of.
+void say_warnings(const Case& c, const std::string& directory) {
+  const std::string warnings = check_warnings(c, derive(c), output_place(directory));
+  if (!warnings.empty()) std::fprintf(stderr, "%s", warnings.c_str());
 }
 
 /// The step of the end. The case's own has been looked at; --until may be beyond all counting.
@@ -188,6 +197,8 @@ RunResult run_case(const Case& c, const RunOptions& options) {
   for (const std::string& warning : beginning.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   if (!options.quiet && !beginning.announcement.empty()) std::fprintf(stderr, "%s\n", beginning.announcement.c_str());
   if (beginning.nothing_to_do) return {};
+  if (const std::string refusal = memory_refusal(c, available_memory()); !refusal.empty()) throw ResourceError(refusal);
+  if (!options.quiet && !beginning.archive) say_warnings(c, options.directory);
   Simulation simulation(c, threads, beginning.archive ? &*beginning.archive : nullptr);
   if (beginning.archive) simulation.restore(*beginning.archive);
   const std::int64_t last_step = end_step(end, simulation.clock().dt);

@@ -33,6 +33,7 @@ void Simulation::step() {
   move_walls(clock_.now());
   exchange_particles();
   refresh_neighbours();
+  look_ahead(prescribed_, system_.particles, clock_.now(), clock_.dt);
   system_.hard ? collide_particles() : advance_particles();
   move_prescribed_bodies();
   clock_.advance();
@@ -65,6 +66,7 @@ void Simulation::evaluate_fields(double time) {
   if (!fields_matter()) return;
   const Stopwatch watch(stages_, "fields");
   evaluate(fields_, system_.particles, time, lists_.kernels, field_);
+  if (may_fail(fields_)) guard_fields(system_.particles, field_, time);
   set_accelerations(prescribed_, system_.particles, time, move_now().lag, field_);
 }
 

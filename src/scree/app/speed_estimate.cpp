@@ -9,6 +9,7 @@
 
 #include "scree/app/build.h"
 #include "scree/app/build_walls.h"
+#include "scree/app/field_samples.h"
 #include "scree/app/wall_motion.h"
 #include "scree/base/expression.h"
 #include "scree/particles/sizes.h"
@@ -18,20 +19,6 @@ namespace scree {
 namespace {
 
 double length(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
-
-/// Calls visit(x, y, z, t) on a grid over the domain and the run, ends included.
-template <class Visit>
-void for_samples(const Case& c, Visit&& visit) {
-  constexpr int per_axis = 9, instants = 9;
-  const auto at = [&](int k, int i) {
-    return c.domain.min[k] + (c.domain.max[k] - c.domain.min[k]) * i / (per_axis - 1);
-  };
-  for (int n = 0; n < instants; ++n)
-    for (int k = 0; k < per_axis; ++k)
-      for (int j = 0; j < per_axis; ++j)
-        for (int i = 0; i < per_axis; ++i)
-          visit(std::array<double, 4>{at(0, i), at(1, j), at(2, k), c.simulation.end * n / (instants - 1)});
-}
 
 FlowSpeeds sampled(const Case& c, const Expression3& text) {
   const std::vector<std::string> names{"x", "y", "z", "t"};
@@ -114,13 +101,15 @@ double fastest_at_start(const Case& c, const std::vector<BodyKind>& kinds) {
   return fastest;
 }
 
-/// The fastest that a wall of the case gets [m/s].
-double fastest_wall(const Case& c) {
+/// The fastest that a wall of the case gets, and its name.
+TopSpeed fastest_wall(const Case& c) {
   const auto moves = [](const WallKeys& wall) { return wall.motion.type != "none"; };
-  if (std::none_of(c.walls.begin(), c.walls.end(), moves)) return 0;
-  double fastest = 0;
-  for (WallMotion& motion : build_wall_motions(c, build_walls(c), build_domain(c)))
-    fastest = std::max(fastest, fastest_speed(motion, c.simulation.end));
+  if (std::none_of(c.walls.begin(), c.walls.end(), moves)) return {};
+  TopSpeed fastest;
+  for (WallMotion& motion : build_wall_motions(c, build_walls(c), build_domain(c))) {
+    const double speed = fastest_speed(motion, c.simulation.end);
+    if (speed > fastest.value) fastest = {speed, "", motion.wall};
+  }
   return fastest;
 }
 
@@ -144,8 +133,8 @@ TopSpeed after_fall(const Case& c, const std::vector<BodyKind>& kinds, const Top
   const std::string start = top.value > 0 ? fmt::format("{:.4g} m/s from {}, then ", top.value, top.source) : "";
   const bool endless = falls_without_end(c);
   if (top.value + settling < fallen || (endless && std::isfinite(settling)))
-    return {top.value + settling, fmt::format("{}sinking at up to {:.4g} m/s, Stokes", start, settling)};
-  return {fallen, fmt::format("{}a fall through {} without drag", start, endless ? "one period" : "the domain")};
+    return {top.value + settling, fmt::format("{}sinking at up to {:.4g} m/s, Stokes", start, settling), ""};
+  return {fallen, fmt::format("{}a fall through {} without drag", start, endless ? "one period" : "the domain"), ""};
 }
 
 }  // namespace
@@ -176,16 +165,17 @@ double relaxation_time(const Case& c, double density, double diameter) {
 }
 
 TopSpeed top_speed(const Case& c, const std::vector<BodyKind>& kinds) {
-  if (c.simulation.top_speed) return {*c.simulation.top_speed, "simulation.top_speed"};
-  TopSpeed top{fastest_at_start(c, kinds), "the start"};
+  if (c.simulation.top_speed) return {*c.simulation.top_speed, "simulation.top_speed", ""};
+  TopSpeed top{fastest_at_start(c, kinds), "the start", ""};
   const double flow = c.flow.drag == "none" ? 0.0 : flow_speeds(c).fastest;
-  if (flow > top.value) top = {flow, "the fastest flow"};
+  if (flow > top.value) top = {flow, "the fastest flow", ""};
   top = after_fall(c, kinds, top);
-  const double walls = fastest_wall(c);
-  if (walls > 0)
-    top = {top.value + walls, fmt::format("walls that move at up to {:.4g} m/s, added to {}", walls, top.source)};
+  const TopSpeed wall = fastest_wall(c);
+  if (wall.value > 0)
+    top = {top.value + wall.value,
+           fmt::format("walls that move at up to {:.4g} m/s, added to {}", wall.value, top.source), wall.wall};
   const double rotation = rotation_speed(c);
-  if (rotation > 0) top = {top.value + rotation, "rotation of the frame, added to " + top.source};
+  if (rotation > 0) top = {top.value + rotation, "rotation of the frame, added to " + top.source, top.wall};
   return top;
 }
 

@@ -23,7 +23,8 @@ double relaxation_time(const Case& c, double density, double diameter);
 /// The fastest impact that is to be expected and where it comes from.
 struct TopSpeed {
   double value = 0;  // [m/s]
-  std::string source;
+  std::string source = {};
+  std::string wall = {};  // the fastest one, if walls that move are part of it
 };
 
 /// simulation.top_speed if given. Else the largest of: the relative speeds of two groups, or of a group and a wall, at

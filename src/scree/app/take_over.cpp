@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "scree/base/error.h"
+#include "scree/input/located.h"
 #include "scree/output/run_directory.h"
 
 namespace scree {
@@ -15,20 +16,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path checkpoint_file(const ParticleKeys& keys) {
+/// The error of a problem at a key of a group.
+InputError at(const Case& c, const ParticleKeys& keys, const char* key, Problem problem) {
+  const auto index = static_cast<std::size_t>(&keys - c.particles.data());
+  return error_at(c, fmt::format("particles.{}.{}", index, key), std::move(problem));
+}
+
+fs::path checkpoint_file(const Case& c, const ParticleKeys& keys) {
   std::error_code ignored;
   if (!fs::is_directory(keys.checkpoint, ignored)) return keys.checkpoint;
   const auto newest = newest_checkpoint(keys.checkpoint).path;
   if (!newest)
-    throw InputError(
-        fmt::format("particle group '{}': the directory {} holds no checkpoint that can be read\n"
-                    "  = help: give the directory of a finished or interrupted run, or one of its checkpoints",
-                    keys.name, keys.checkpoint));
+    throw at(c, keys, "checkpoint",
+             {"E174",
+              {},
+              fmt::format("the directory '{}' holds no checkpoint that can be read", keys.checkpoint),
+              "",
+              "give the directory of a finished or interrupted run, or one of its checkpoints"});
   return *newest;
 }
 
 /// Index of the wanted group in the other run, or -1 for all.
-std::int32_t source_group(const Archive& archive, const ParticleKeys& keys) {
+std::int32_t source_group(const Case& c, const Archive& archive, const ParticleKeys& keys) {
   if (keys.source_group.empty()) return -1;
   std::istringstream names(archive.text("groups"));
   std::string all;
@@ -37,8 +46,26 @@ std::int32_t source_group(const Archive& archive, const ParticleKeys& keys) {
     if (name == keys.source_group) return index;
     all += (all.empty() ? "'" : ", '") + name + "'";
   }
-  throw InputError(fmt::format("particle group '{}': {} has no group '{}'\n  = help: its groups are {}", keys.name,
-                               archive.origin, keys.source_group, all));
+  throw at(c, keys, "source_group",
+           {"E160",
+            {},
+            fmt::format("{} has no group '{}'", archive.origin, keys.source_group),
+            "",
+            "its groups are " + all});
+}
+
+Archive checkpoint_of(const Case& c, const ParticleKeys& keys) {
+  const fs::path file = checkpoint_file(c, keys);
+  try {
+    return read_archive(file, "take particles from");
+  } catch (const InputError& error) {
+    throw at(c, keys, "checkpoint",
+             {"E174",
+              {},
+              error.what(),
+              "",
+              "give the directory of a finished or interrupted run, or one of its checkpoints"});
+  }
 }
 
 }  // namespace
@@ -48,8 +75,8 @@ Particles particles_of(const Archive& archive) {
   out.resize(static_cast<std::size_t>(archive.integer("particles")));
   out.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
     if (!saved) return;
-    using Value = typename std::remove_reference_t<decltype(column)>::value_type;
-    const auto values = archive.get<Value>(std::string(name), column.components);
+    using Component = typename std::remove_reference_t<decltype(column)>::value_type;
+    const auto values = archive.get<Component>(std::string(name), column.components);
     if (values.size() != column.values.size())
       throw InputError(archive.origin + ": wrong number of " + std::string(name));
     std::copy(values.begin(), values.end(), column.values.begin());
@@ -69,9 +96,9 @@ bool takes_over(const Case& c) {
 }
 
 std::vector<GivenParticle> take_over(const Case& c, const ParticleKeys& keys) {
-  const Archive archive = read_archive(checkpoint_file(keys));
+  const Archive archive = checkpoint_of(c, keys);
   const Particles p = particles_of(archive);
-  const std::int32_t wanted = source_group(archive, keys);
+  const std::int32_t wanted = source_group(c, archive, keys);
   std::vector<std::uint32_t> order(p.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return p.id[a] < p.id[b]; });
@@ -88,13 +115,16 @@ std::vector<GivenParticle> take_over(const Case& c, const ParticleKeys& keys) {
     largest = std::max(largest, 2 * m[lane::radius]);
   }
   if (taken.empty())
-    throw InputError(fmt::format("particle group '{}': {} holds no particle to take over", keys.name, archive.origin));
+    throw at(c, keys, "checkpoint", {"E174", {}, archive.origin + " holds no particle to take over", "", ""});
   for (int k = 0; k < 3; ++k)
     if (c.domain.periodic[k] && c.domain.max[k] - c.domain.min[k] <= 2 * (largest + keys.effect_gap))
-      throw InputError(
-          fmt::format("particle group '{}': the domain is too small to be periodic along {} with particles of {:g} m\n"
-                      "  = help: a periodic box must be longer than two interaction ranges",
-                      keys.name, "xyz"[k], largest));
+      throw at(
+          c, keys, "checkpoint",
+          {"E166",
+           {},
+           fmt::format("the domain is too small to be periodic along {} with particles of {:g} m", "xyz"[k], largest),
+           "",
+           "a periodic box must be longer than two interaction ranges"});
   return taken;
 }
 

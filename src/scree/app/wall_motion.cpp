@@ -1,10 +1,13 @@
 #include "scree/app/wall_motion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "scree/base/error.h"
 #include "scree/physics/math.h"
 
 namespace scree {
@@ -130,6 +133,7 @@ double distance_from_axis(const WallMotion& m, const Domain& domain) {
 WallMotion motion_of(const WallKeys& wall) {
   const MotionKeys& keys = wall.motion;
   WallMotion m;
+  m.wall = wall.name;
   m.kind = kind_of(keys.type);
   m.velocity = vec_of(keys.velocity);
   m.amplitude = vec_of(keys.amplitude);
@@ -161,6 +165,20 @@ std::vector<WallMotion> build_wall_motions(const Case& c, const Walls& walls, co
   return out;
 }
 
+namespace {
+
+void require_finite(const WallMotion& m, const sc_wall_pose& pose, const Way& way, double time) {
+  const double way_and_rates = sc_norm(way.displacement) + way.angle + sc_norm(pose.velocity) + sc_norm(pose.spin) +
+                               sc_norm(pose.velocity_now) + sc_norm(pose.spin_now);
+  if (std::isfinite(way_and_rates)) return;
+  throw PhysicsError(fmt::format(
+      "t = {:.9g} s: the motion of wall '{}' is no finite number any more (displacement ({}, {}, {}) m, angle "
+      "{} rad). Mend the formulas of its walls.motion, or end it before (motion.stop)",
+      time, m.wall, way.displacement.x, way.displacement.y, way.displacement.z, way.angle));
+}
+
+}  // namespace
+
 sc_wall_pose pose_at(WallMotion& m, double time, double lag, double dt) {
   sc_wall_pose pose = sc_wall_at_home();
   pose.pivot = pose.place = m.pivot;
@@ -171,13 +189,16 @@ sc_wall_pose pose_at(WallMotion& m, double time, double lag, double dt) {
   const Way way = way_at(m, time);
   pose.place = sc_add(m.pivot, way.displacement);
   pose.turn = sc_rotation(m.axis, sc_cos(way.angle), sc_sin(way.angle));
-  const Rates then = rates_at(m, time - lag, dt), now = rates_at(m, time, dt);
+  // Without a step there is no velocity to ask for.
+  const Rates rest{sc_zero_vec(), sc_zero_vec()};
+  const Rates then = dt > 0 ? rates_at(m, time - lag, dt) : rest, now = dt > 0 ? rates_at(m, time, dt) : rest;
   pose.velocity = then.velocity;
   pose.spin = then.spin;
   pose.velocity_now = now.velocity;
   pose.spin_now = now.spin;
   const bool slips = m.kind == WallMotion::Kind::surface && time >= m.start && time < m.stop;
   if (slips) pose.slip = m.velocity;
+  if (m.kind == WallMotion::Kind::expression) require_finite(m, pose, way, time);
   return pose;
 }
 

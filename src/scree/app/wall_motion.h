@@ -17,6 +17,7 @@ namespace scree {
 struct WallMotion {
   enum class Kind { none, velocity, rotation, oscillation, expression, surface };
 
+  std::string wall;  // its name
   Kind kind = Kind::none;
   sc_vec velocity{}, amplitude{};                   // [m/s], [m]
   sc_vec pivot{}, axis{};                           // a point [m] and the unit direction of the axis of rotation
@@ -30,7 +31,8 @@ struct WallMotion {
 /// The motions of all walls of a case.
 std::vector<WallMotion> build_wall_motions(const Case& c, const Walls& walls, const Domain& domain);
 
-/// The pose of a wall at `time`, where steps take `dt` and contacts see velocities of `lag` before [s].
+/// The pose of a wall at `time`, where steps take `dt` and contacts see velocities of `lag` before [s]. Throws
+/// PhysicsError when its formulas give no finite number then.
 sc_wall_pose pose_at(WallMotion& motion, double time, double lag, double dt);
 
 /// The fastest that any part or surface of the wall gets up to a time [s], from samples where it moves by formulas

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <set>
 
 #include "scree/input/checks.h"
 
@@ -77,10 +78,16 @@ void check_flow(const Check& check) {
 void check_tracks(const Check& check) {
   const Case& c = check.c;
   if (!check.sound({"output.tracks", "particles"})) return;
+  std::set<std::uint64_t> seen;
+  for (std::uint64_t id : c.output.tracks)
+    if (!seen.insert(id).second)
+      check.fail("E161", "output.tracks", fmt::format("particle {} is tracked twice", id), "every id once");
   std::uint64_t total = 0;
   for (const ParticleKeys& p : c.particles) {
-    if (p.insert == "rate" || p.insert == "checkpoint") return;
-    const std::uint64_t count = p.insert == "positions" ? p.positions.size() : p.count;
+    if (p.insert == "checkpoint") return;
+    const std::uint64_t count = p.insert == "positions" ? p.positions.size()
+                                : p.insert == "rate"    ? p.total_count
+                                                        : p.count;
     if (count == 0) return;
     total += count;
   }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <optional>
 
 #include "scree/base/error.h"
 #include "scree/base/expression.h"
@@ -102,12 +104,33 @@ void check_vertices(const WallCheck& w) {
 
 void check_mesh(const WallCheck& w) {
   if (w.wall.file.empty()) return;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(w.wall.file, ignored))
+    return w.check.fail("E168", w.path + ".file", fmt::format("there is no file '{}'", w.wall.file), "not found",
+                        "file names are relative to the case file");
   try {
     read_mesh(w.wall.file);
   } catch (const InputError& error) {
     w.check.fail("E172", w.path + ".file", fmt::format("the mesh of '{}' cannot be read", w.wall.name), error.what(),
                  "export the surface again, as STL or as OBJ");
   }
+}
+
+struct Sampled {
+  double time, value;
+};
+
+/// The first of many instants from 0 to `last` at which a formula of t is not finite. A pole between them shows only
+/// in the run, which then stops.
+std::optional<Sampled> first_without_number(const std::string& text, double last) {
+  constexpr int instants = 1000;
+  Expression formula(text, {"t"});
+  for (int k = 0; k <= instants && last > 0; ++k) {
+    const double at[1] = {last * k / instants};
+    const double value = formula(at);
+    if (!std::isfinite(value)) return Sampled{at[0], value};
+  }
+  return {};
 }
 
 void check_motion(const WallCheck& w) {
@@ -127,6 +150,7 @@ void check_motion(const WallCheck& w) {
                                                                      {"displacement", m.displacement[1]},
                                                                      {"displacement", m.displacement[2]},
                                                                      {"angle", m.angle}}};
+  const double until = std::min(w.check.c.simulation.end, m.stop.value_or(w.check.c.simulation.end));
   for (const auto& [key, text] : formulas) {
     const std::string problem = expression_problem(text, {"t"});
     if (!problem.empty())
@@ -137,7 +161,38 @@ void check_motion(const WallCheck& w) {
       return fail(key, fmt::format("wall '{}' is not at its place when the motion starts", w.wall.name),
                   fmt::format("'{}' is {} at t = 0", text, Expression(text, {"t"})(at_start)),
                   "subtract the value at 0, or put the wall where it starts");
+    if (const auto bad = first_without_number(text, until - m.start))
+      return fail(key, fmt::format("the motion of wall '{}' is no finite number at all times of the run", w.wall.name),
+                  fmt::format("'{}' is {} at t = {:.6g}", text, bad->value, bad->time),
+                  "t counts from motion.start; end the motion before (motion.stop), or mend the formula");
   }
+}
+
+/// The normal of a wall that is flat; nothing for the others.
+std::optional<Vec3> normal_of(const WallKeys& k) {
+  if (k.type == "plane") return k.normal;
+  if (k.type == "rectangle") {
+    Vec3 flat{};
+    for (std::size_t i = 0; i < 3; ++i) flat[i] = k.min[i] == k.max[i] ? 1 : 0;
+    return flat;
+  }
+  if (k.type != "plate") return {};
+  const Vec3 &a = k.edge_a, &b = k.edge_b;
+  return Vec3{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// A surface slides in itself. Directions of inclined walls are written with two or three digits.
+void check_conveyor(const WallCheck& w) {
+  constexpr double written_exactly = 0.01;
+  const Vec3& v = w.wall.motion.velocity;
+  const std::optional<Vec3> normal = normal_of(w.wall);
+  if (w.wall.motion.type != "surface" || !normal || !has_direction(v) || !has_direction(*normal)) return;
+  const double share = std::abs(dot(v, *normal)) / (length_of(v) * length_of(*normal));
+  if (share <= written_exactly) return;
+  w.check.fail("E173", w.path + ".motion.velocity",
+               fmt::format("the surface of wall '{}' cannot move out of itself", w.wall.name),
+               fmt::format("{:.3g} of this velocity is across the wall", share),
+               "a conveyor moves along its surface; a wall that goes to other places has motion.type = 'velocity'");
 }
 
 void check_wall(const WallCheck& w) {
@@ -155,6 +210,7 @@ void check_wall(const WallCheck& w) {
   if (k.type == "triangles") check_vertices(w);
   if (k.type == "mesh") check_mesh(w);
   check_motion(w);
+  check_conveyor(w);
 }
 
 }  // namespace

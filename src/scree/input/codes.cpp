@@ -35,6 +35,9 @@ constexpr ErrorCode codes[] = {
      "be "
      "told from that of the next, and no machine gets there. Usually a unit is missing: an end in seconds where "
      "\"1 ms\" was meant, or a time step of picoseconds."},
+    {"E133", "more particles than the memory holds",
+     "The particles that the case begins with need more memory than is available on this machine, even without their "
+     "contacts. `scree check` tells what a case needs in all."},
     {"E140", "not a formula",
      "The text could not be compiled as a formula. `scree explain formulas` says what formulas can contain."},
     {"E150", "key without effect",
@@ -60,6 +63,19 @@ constexpr ErrorCode codes[] = {
      "be the same at both faces: a shear flow cannot cross a periodic y axis, Taylor-Green vortices must fit a whole "
      "number of times, a rotating frame can be periodic along its axis only, and an attracting point allows no "
      "periodic axis. `scree check` looks at formulas."},
+    {"E172", "unusable mesh",
+     "The file of a mesh is there but is no STL or OBJ file, or is cut short, or holds no triangle that has an area. "
+     "The "
+     "message names the line or byte. Export the surface again, as STL (text or binary) or as OBJ."},
+    {"E173", "impossible motion of a wall",
+     "The axis of a rotation has no direction, a motion ends before it begins, or a formula is none, is no finite "
+     "number "
+     "at some time of the run, or does not begin at 0: walls are at their place when their motion starts. A surface "
+     "velocity lies in its wall."},
+    {"E174", "particles of another run that cannot be taken",
+     "The checkpoint that particles.checkpoint names is missing, damaged, no checkpoint, or holds no particle that can "
+     "be "
+     "taken over. It may be a checkpoint file or the directory of a run."},
     {"E180", "override that leads nowhere",
      "The path given to --set, or in a variant, does not lead to a key. Tables in lists are found by their name or by "
      "their index from 0: materials.glass.restitution=0.5, particles.0.velocity.value=[1, 0, 0]."},

@@ -62,7 +62,8 @@ const Section& simulation_section() {
            "overlap at which the run stops, as a fraction of the smaller of the two radii; at a wall of the particle's "
            "radius")
            .above(0)
-           .at_most(2),
+           .at_most(2)
+           .may_change_at_restart(),
        key("skin", &S::skin, "margin of the list of neighbours; 0: chosen by the program").unit("m").at_least(0),
        key("exchange_every", &S::exchange_every,
            "steps between two looks for particles that are due to come (insert = 'rate') or have gone into an outlet")

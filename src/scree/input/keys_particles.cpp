@@ -169,7 +169,8 @@ const Section& particles_section() {
            .at_least(0)
            .or_word("auto")
            .defaults_to("a tenth of the time that the insertion lasts")
-           .only_with("insert", feed)},
+           .only_with("insert", feed)
+           .may_change_at_restart()},
       [] { return std::make_shared<S>(); }};
   return section;
 }

@@ -2,10 +2,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scree/input/mesh.h"
 
 namespace scree {
+
+/// Open edges that hang together: the border of a hole, or of the surface.
+struct MeshRim {
+  int edges = 0;
+  sc_vec low{}, high{};  // corners of the box around it [m]
+};
 
 struct MeshReport {
   int triangles = 0, vertices = 0;
@@ -14,6 +21,7 @@ struct MeshReport {
   double area = 0;                    // [m^2]
   double volume = 0;                  // enclosed; of use where the surface is closed and wound one way [m^3]
   int open_edges = 0;                 // with one triangle
+  std::vector<MeshRim> rims;          // of these edges, the longest first
   int crowded_edges = 0;              // with more than two
   int flipped_edges = 0;              // with two that are wound against each other
   int degenerate = 0, duplicate = 0;  // triangles left out, see Mesh

@@ -88,10 +88,10 @@ class Archive {
 void write_archive(const std::filesystem::path& path, const Archive& archive);
 
 /// Reads what write_archive() wrote. Throws InputError with the reason when the file is missing, foreign, of another
-/// version, incomplete or damaged in any bit.
-Archive read_archive(const std::filesystem::path& path);
+/// version, incomplete or damaged in any bit; the message says that one cannot `purpose` the file.
+Archive read_archive(const std::filesystem::path& path, std::string_view purpose = "restart from");
 
 /// The checks of read_archive() without loading: returns if the file is whole, else throws InputError.
-void verify_archive(const std::filesystem::path& path);
+void verify_archive(const std::filesystem::path& path, std::string_view purpose = "restart from");
 
 }  // namespace scree

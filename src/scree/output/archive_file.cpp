@@ -44,9 +44,15 @@ std::string digest_of(std::istream& file) {
   return hash.hex();
 }
 
-[[noreturn]] void refuse(const fs::path& path, const std::string& finding) {
-  throw InputError(fmt::format("cannot restart from '{}': {}", path.string(), finding));
-}
+/// Why a file cannot serve its purpose.
+struct Refusal {
+  fs::path path;
+  std::string_view purpose;
+
+  [[noreturn]] void operator()(const std::string& finding) const {
+    throw InputError(fmt::format("cannot {} '{}': {}", purpose, path.string(), finding));
+  }
+};
 
 void write_contents(const fs::path& path, const Archive& archive) {
   Hdf5File file = Hdf5File::create(path, block_size);
@@ -97,32 +103,34 @@ void write_archive(const fs::path& path, const Archive& archive) {
   });
 }
 
-void verify_archive(const fs::path& path) {
+void verify_archive(const fs::path& path, std::string_view purpose) {
+  const Refusal refuse{path, purpose};
   std::ifstream file(path, std::ios::binary);
-  if (!file) refuse(path, std::strerror(errno));
-  if (fs::is_directory(path)) refuse(path, "it is a directory; name one of its checkpoint files");
+  if (!file) refuse(std::strerror(errno));
+  if (fs::is_directory(path)) refuse("it is a directory; name one of its checkpoint files");
   std::string block(block_size, '\0');
   file.read(block.data(), block_size);
-  if (!block.starts_with(signature)) refuse(path, "it is not a checkpoint of Scree");
+  if (!block.starts_with(signature)) refuse("it is not a checkpoint of Scree");
   int version = 0;
   unsigned long long size = 0;
   std::array<char, 65> digest{};
   const int fields = std::sscanf(block.c_str() + signature.size(), "version %d\nsize %llu\nsha256 %64[0-9a-f]\n",
                                  &version, &size, digest.data());
-  if (fields < 1) refuse(path, "it is damaged: its first lines cannot be read");
+  if (fields < 1) refuse("it is damaged: its first lines cannot be read");
   if (version != format_version)
-    refuse(path, fmt::format("it has checkpoint format {}, this program reads format {}; continue with the version of "
-                             "Scree that wrote it",
-                             version, format_version));
-  if (fields < 3) refuse(path, "it is damaged: its first lines cannot be read");
+    refuse(
+        fmt::format("it has checkpoint format {}, this program reads format {}; continue with the version of "
+                    "Scree that wrote it",
+                    version, format_version));
+  if (fields < 3) refuse("it is damaged: its first lines cannot be read");
   const std::uintmax_t found = fs::file_size(path);
-  if (found != size) refuse(path, fmt::format("it is incomplete: {} bytes instead of {}", found, size));
+  if (found != size) refuse(fmt::format("it is incomplete: {} bytes instead of {}", found, size));
   if (digest_of(file) != digest.data() || block != header_block(size, digest.data()))
-    refuse(path, "it is damaged: its contents do not match their SHA-256; use an older checkpoint");
+    refuse("it is damaged: its contents do not match their SHA-256; use an older checkpoint");
 }
 
-Archive read_archive(const fs::path& path) {
-  verify_archive(path);
+Archive read_archive(const fs::path& path, std::string_view purpose) {
+  verify_archive(path, purpose);
   const Hdf5File file = Hdf5File::open(path);
   Archive archive;
   archive.origin = fmt::format("'{}'", path.string());

@@ -39,6 +39,33 @@ std::string names_line(const fs::path& path) {
   return next_line(rest, line) ? std::string(line) : std::string();
 }
 
+/// The names of one header that another has not, for a message; empty if there are none.
+std::string names_without(std::string_view header, std::string_view other, std::string_view label) {
+  const auto parts = [](std::string_view text) {
+    std::vector<std::string> out;
+    for (std::size_t end = 0; end != std::string_view::npos; text.remove_prefix(std::min(text.size(), end + 1))) {
+      end = text.find(',');
+      out.emplace_back(text.substr(0, end));
+    }
+    return out;
+  };
+  const std::vector<std::string> known = parts(other);
+  std::vector<std::string> alone;
+  for (const std::string& name : parts(header))
+    if (std::ranges::find(known, name) == known.end()) alone.push_back(name);
+  return alone.empty() ? "" : fmt::format("\n  {}: {}", label, fmt::join(alone, ", "));
+}
+
+[[noreturn]] void refuse_columns(const fs::path& path, const std::string& found, const std::string& expected) {
+  const std::string differences = names_without(expected, found, "this run has in addition") +
+                                  names_without(found, expected, "the file has in addition");
+  throw InputError(
+      fmt::format("cannot append to '{}': its columns are not those of this run{}\n  = help: restart into a new "
+                  "directory (-o DIR), "
+                  "or give back what the case measured",
+                  path.string(), differences.empty() ? "\n  they come in another order" : differences));
+}
+
 }  // namespace
 
 void drop_rows_after(const fs::path& path, double last_time) {
@@ -82,11 +109,7 @@ SeriesWriter SeriesWriter::resume(const fs::path& path, std::vector<std::string>
   const std::string expected = fmt::format("{}", fmt::join(names, ",")),
                     found = fs::exists(path) ? names_line(path) : "";
   if (found.empty()) return create(path, std::move(names));
-  if (found != expected)
-    throw InputError(
-        fmt::format("cannot append to '{}': it has the columns\n  {}\nand this run writes\n  {}\nrestart into "
-                    "a new directory (-o DIR)",
-                    path.string(), found, expected));
+  if (found != expected) refuse_columns(path, found, expected);
   drop_rows_after(path, last_time);
   return SeriesWriter(path, names.size());
 }

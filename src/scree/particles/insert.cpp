@@ -35,13 +35,6 @@ std::vector<double> diameters_by_fraction(const ParticleGroup& group, std::uint3
   }
 }
 
-std::uint64_t group_count(const ParticleGroup& group) {
-  if (group.placement == ParticleGroup::Placement::feed) return 0;
-  if (group.placement == ParticleGroup::Placement::given) return group.given.size();
-  if (group.placement == ParticleGroup::Placement::lattice && group.count == 0) return lattice_sites(group).count();
-  return group.count;
-}
-
 std::vector<Place> places_of(const ParticleGroup& group, std::uint32_t index, const std::vector<double>& diameters,
                              const InsertionSetting& setting, OccupiedSpace& space) {
   if (group.placement == ParticleGroup::Placement::random)
@@ -98,6 +91,13 @@ void fill_row(Particles& particles, std::size_t row, const ParticleGroup& group,
 }
 
 }  // namespace
+
+std::uint64_t group_count(const ParticleGroup& group) {
+  if (group.placement == ParticleGroup::Placement::feed) return 0;
+  if (group.placement == ParticleGroup::Placement::given) return group.given.size();
+  if (group.placement == ParticleGroup::Placement::lattice && group.count == 0) return lattice_sites(group).count();
+  return group.count;
+}
 
 void write_particle(Particles& particles, std::size_t row, const ParticleGroup& group, std::uint32_t index,
                     const Newcomer& newcomer, const InsertionSetting& setting) {

@@ -62,6 +62,9 @@ struct InsertionSetting {
   FluidVelocity fluid;       // for groups that start with the velocity of the fluid
 };
 
+/// How many particles the group has from the start; 0 where a solid fraction decides.
+std::uint64_t group_count(const ParticleGroup& group);
+
 /// The diameters [m] of all particles of group number `index`, in the order of their numbers; as many as it has.
 /// With a solid fraction, particles are added until their volume is as near to the wanted one as it can be.
 std::vector<double> group_diameters(const ParticleGroup& group, std::uint32_t index, std::uint64_t seed);

@@ -1,0 +1,37 @@
+#include "scree/app/memory_need.h"
+
+#include <fmt/format.h>
+
+#include "scree/app/body_kinds.h"
+#include "scree/app/build_particles.h"
+#include "scree/input/checks.h"
+#include "scree/input/located.h"
+
+namespace scree {
+
+std::string memory_refusal(const Case& c, std::optional<double> available) {
+  const std::vector<ParticleGroup> groups = build_groups(c, Takeover::skip);
+  double total = 0, most = 0;
+  std::size_t largest = 0;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const double count = expected_number(groups[g], static_cast<std::uint32_t>(g), c.simulation.seed);
+    total += count;
+    if (count > most) {
+      most = count;
+      largest = g;
+    }
+  }
+  const double bytes = total * static_cast<double>(Particles::bytes_per_particle());
+  if (!available || bytes <= *available) return {};
+  const std::string group = item_path("particles", largest);
+  const bool counted = c.text && c.text->origins.given(group + ".count");
+  return error_at(c, counted ? group + ".count" : group,
+                  {"E133",
+                   {},
+                   fmt::format("{:.4g} particles need {:.3g} GB of memory for themselves alone", total, 1e-9 * bytes),
+                   fmt::format("{:.3g} GB are available on this machine", 1e-9 * *available),
+                   "take fewer or larger particles, or a larger machine"})
+      .what();
+}
+
+}  // namespace scree

@@ -1,0 +1,21 @@
+// Walls, outlets and grids that lie where no particle gets: mistakes of place, unit or sign.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scree/input/case.h"
+
+namespace scree {
+
+/// Something that a case says for nothing, and what may have been meant.
+struct Remark {
+  std::string label;  // "wall 'gate'"
+  std::string finding, remedy;
+};
+
+/// Walls that no particle in the domain can touch, up to `reach` [m] from its centre, at any time of the run; meshes
+/// out of all proportion to the domain; outlets, planes, averages and surfaces that lie wholly outside it.
+std::vector<Remark> remarks_on_places(const Case& c, double reach);
+
+}  // namespace scree
