@@ -129,6 +129,17 @@ double wrapped(double x, int axis, const Domain& domain) {
   return x < domain.max[axis] ? x : domain.min[axis];
 }
 
+/// Square of a particle's own radius of gyration: half the sum of its principal moments over its mass [m2]. That of the
+/// sphere of its volume where the moments are not kept, for infinite mass.
+double own_gyration(const Particles& p, std::size_t i) {
+  if (p.shaped() && p.motion.row(i)[lane::inverse_mass] > 0) {
+    const double* inverse = p.inertia.row(i);
+    return 0.5 * (1 / inverse[0] + 1 / inverse[1] + 1 / inverse[2]) / p.mass[i];
+  }
+  const double radius = p.radius_by_volume(i);
+  return 0.6 * radius * radius;
+}
+
 /// Size and shape of the agglomerate that `walk` has visited.
 Agglomerate measure(const BondGraph& graph, const Particles& particles, const Domain& domain, const Walk& walk) {
   Agglomerate result;
@@ -142,7 +153,7 @@ Agglomerate measure(const BondGraph& graph, const Particles& particles, const Do
     const auto x = unwrapped(u, graph, particles, domain, walk);
     for (int axis = 0; axis < 3; ++axis) moment[axis] += mass * x[axis];
     result.mass += mass;
-    result.mean_radius += particles.motion.row(i)[lane::radius];
+    result.mean_radius += particles.radius_by_volume(static_cast<std::size_t>(i));
     result.bonds += static_cast<std::int64_t>(graph.first[u + 1] - graph.first[u]);
   }
   result.bonds /= 2;
@@ -152,8 +163,7 @@ Agglomerate measure(const BondGraph& graph, const Particles& particles, const Do
   for (const std::int32_t u : walk.nodes) {
     const std::int32_t i = graph.particle[u];
     const auto x = unwrapped(u, graph, particles, domain, walk);
-    const double radius = particles.motion.row(i)[lane::radius];
-    double squared = 0.6 * radius * radius;
+    double squared = own_gyration(particles, static_cast<std::size_t>(i));
     for (int axis = 0; axis < 3; ++axis) {
       const double from_centre = x[axis] - moment[axis] / result.mass;
       squared += from_centre * from_centre;

@@ -55,7 +55,7 @@ void add_particle(Averages& to, const CoarseGrain& grain, Rows rows, const Parti
   const double* m = p.motion.row(i);
   const Point x = point_of(m);
   if (!moves_freely(p, static_cast<std::int32_t>(i)) || !grain.contains(x) || !reaches(to.grid, rows, x, {})) return;
-  const double mass = p.mass[i], volume = sphere_volume(2 * m[lane::radius]);
+  const double mass = p.mass[i], volume = sphere_volume(2 * p.radius_by_volume(i));
   const Point v = point_of(m + lane::vx);
   const std::array<double, sum_of::contact> what = {1.0,
                                                     volume,

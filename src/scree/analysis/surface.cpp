@@ -49,7 +49,7 @@ std::vector<double> solid_fractions(const Columns& c, const Particles& particles
     const double* x = particles.motion.row(i);
     const int column = c.column_of(x);
     if (column < 0) continue;
-    const double r = x[lane::radius], z = c.height_of(x), share = sphere_volume(2 * r) / cell;
+    const double r = particles.radius_by_volume(i), z = c.height_of(x), share = sphere_volume(2 * r) / cell;
     const int first = std::max(0, static_cast<int>(std::floor((z - r) / thickness)));
     const int last = std::min(layers - 1, static_cast<int>(std::floor((z + r) / thickness)));
     for (int k = first; k <= last; ++k)

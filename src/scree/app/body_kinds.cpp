@@ -107,7 +107,7 @@ std::vector<BodyKind> body_kinds(const Case& c, const Particles* present) {
   for (std::size_t i = 0; present && i < present->size(); ++i) {
     const auto g = static_cast<std::size_t>(present->group[i]);
     if (c.particles[g].insert == "checkpoint")
-      groups[g].given.push_back({{}, {}, {}, 2 * present->motion.row(i)[lane::radius]});
+      groups[g].given.push_back({{}, {}, {}, 2 * present->radius_by_volume(i), {}, {}});
   }
   const std::vector<Feed> feeds = build_feeds(c);
   std::vector<BodyKind> kinds;

@@ -81,7 +81,7 @@ ParticleSystem build_system(const Case& c, Fields& fields, Takeover takeover) {
   s.materials = build_materials(c);
   s.walls = build_walls(c);
   s.particles = build_particles(
-      c, s.domain, s.walls, [&](const Vec3& x) { return flow_velocity(fields, x.data(), 0.0); }, takeover);
+      c, s.domain, s.walls, [&](const Vec3& x) { return flow_velocity(fields, x.data(), 0.0); }, s.forms, takeover);
   expect_one_image(s, c.simulation.skin);
   if (is_hard(c)) {
     s.hard = HardSettings{c.hard.order == "sequential", static_cast<int>(c.hard.sweeps), c.hard.residual,

@@ -42,7 +42,23 @@ void place(ParticleGroup& group, const ParticleKeys& keys, const DomainKeys& dom
   group.attempts = keys.attempts;
   if (keys.insert == "file") group.given = read_particle_table(keys.file);
   if (keys.insert == "positions")
-    for (const Vec3& x : keys.positions) group.given.push_back({x, {}, {}, {}});
+    for (const Vec3& x : keys.positions) group.given.push_back({x, {}, {}, {}, {}, {}});
+}
+
+void take_shape(ParticleGroup& group, const ParticleKeys& keys) {
+  using Kind = Orientations::Kind;
+  if (keys.shape == "sphere" || keys.insert == "checkpoint") return;
+  group.shape = make_form(keys.half_axes, keys.exponents[0], keys.exponents[1]);
+  const OrientationKeys& o = keys.orientation;
+  group.orientations.kind = o.type == "random" ? Kind::random : o.type == "aligned" ? Kind::aligned : Kind::given;
+  group.orientations.spread = o.spread;
+  if (!o.quaternion.empty()) {
+    const std::vector<double>& q = o.quaternion;
+    group.orientations.base = sc_quat_of_length_one({q[0], q[1], q[2], q[3]});
+  } else if (o.angle != 0) {
+    const sc_vec axis = sc_make_vec(o.axis[0], o.axis[1], o.axis[2]);
+    group.orientations.base = sc_quat_of_turn(sc_scale(o.angle / sc_norm(axis), axis));
+  }
 }
 
 /// What is fixed has no velocity, whatever a shared file of positions says.
@@ -59,6 +75,7 @@ ParticleGroup group_of(const Case& c, const ParticleKeys& keys) {
   group.material = material_index(c, keys.material);
   group.density = c.materials[group.material].density;
   group.sizes = sizes_of(keys.diameter);
+  take_shape(group, keys);
   group.effect_gap = keys.effect_gap;
   group.free = keys.motion == "free";
   place(group, keys, c.domain);
@@ -86,14 +103,17 @@ std::vector<ParticleGroup> build_groups(const Case& c, Takeover takeover) {
 }
 
 Particles build_particles(const Case& c, const Domain& domain, const Walls& walls, const FluidVelocity& fluid,
-                          Takeover takeover) {
+                          Forms& forms, Takeover takeover) {
+  const std::vector<ParticleGroup> groups = build_groups(c, takeover);
+  forms = forms_of(groups);
   InsertionSetting setting;
   setting.domain = domain;
   setting.walls = &walls;
   setting.seed = c.simulation.seed;
   setting.max_overlap = c.simulation.max_overlap;
   setting.fluid = fluid;
-  return insert_particles(build_groups(c, takeover), setting);
+  setting.forms = forms;
+  return insert_particles(groups, setting);
 }
 
 }  // namespace scree

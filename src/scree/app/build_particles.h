@@ -18,7 +18,8 @@ std::vector<ParticleGroup> build_groups(const Case& c, Takeover takeover = Takeo
 
 /// The particles of the case at time 0. `fluid` is asked for the velocities of groups that start with it.
 /// Throws InputError as insert_particles() does.
+/// `forms` becomes the table of their shapes.
 Particles build_particles(const Case& c, const Domain& domain, const Walls& walls, const FluidVelocity& fluid,
-                          Takeover takeover = Takeover::read);
+                          Forms& forms, Takeover takeover = Takeover::read);
 
 }  // namespace scree

@@ -162,6 +162,10 @@ std::string Simulation::state_hash() const {
     hash.update(&p.id[i], sizeof p.id[i]);
     add(p.motion.row(i), 8);
     add(p.spin.row(i), 4);
+    if (!p.shaped()) continue;
+    hash.update(&p.form[i], sizeof p.form[i]);
+    add(p.orientation.row(i), 4);
+    add(p.angular_momentum.row(i), 3);  // the way of the surface serves the lists, which change nothing
   }
   const KeyedPairs pairs = keyed_pairs(system_);
   hash.update(pairs.ids.data(), pairs.ids.size() * sizeof(std::int64_t));
@@ -181,6 +185,7 @@ Archive Simulation::save() const {
   out.set("impacts", tally_.impacts);
   out.set("impact_speed", tally_.impact_speed);
   Particles p = system_.particles;
+  save_forms(system_.forms, out);
   out.set("particles", static_cast<std::int64_t>(p.size()));
   out.set("groups", group_names(case_));
   p.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
@@ -207,6 +212,7 @@ void Simulation::restore(const Archive& archive) {
   clock_.step = archive.integer("step");
   tally_ = {archive.integer("contact_evaluations"), archive.integer("impacts"), archive.integer("impact_speed")};
   system_.particles = std::move(saved);
+  system_.forms = forms_of(archive);
   system_.contacts = contacts_of(archive.get<std::int64_t>("pair_ids", 2), archive.get<double>("pair_memory", 9),
                                  system_.particles, system_.contacts.remembers_rolling);
   system_.wall_contacts = walls_of(archive.get<std::int64_t>("wall_ids", 2), archive.get<double>("wall_memory", 9),

@@ -55,8 +55,10 @@ Newcomers Exchange::newcomers(const ParticleSystem& system, Fields& fields, doub
   setting.domain = system.domain;
   setting.walls = &system.walls;
   setting.seed = seed_;
+  setting.forms = system.forms;
   setting.fluid = [&](const std::array<double, 3>& x) { return flow_velocity(fields, x.data(), time); };
   Newcomers out;
+  out.particles = Particles(system.particles.shaped());
   out.next_id = next_id_;
   for (std::size_t f = 0; f < feeds_.size(); ++f)
     feed({feeds_[f], groups_[f], setting, time, system.particles, gone}, states[f], out);

@@ -10,8 +10,9 @@
 namespace scree {
 namespace {
 
-/// In every frame; in those of a case that chooses nothing (of agglomerates: with their analysis); on request only.
-enum class Part { always, usual, of_agglomerates, extra };
+/// In every frame; in those of a case that chooses nothing (of agglomerates: with their analysis; of shapes: where some
+/// particle is no sphere); on request only.
+enum class Part { always, usual, of_agglomerates, of_shapes, extra };
 
 struct FrameField {
   const char *name, *unit, *meaning;
@@ -29,12 +30,19 @@ constexpr FrameField fields[] = {
     {"velocity", "m/s", "Velocity of the centre.", Part::usual, Element::float64, 3, SCREE_VALUES(velocity)},
     {"angular_velocity", "rad/s", "Angular velocity in the frame of the domain.", Part::usual, Element::float64, 3,
      SCREE_VALUES(angular_velocity)},
-    {"diameter", "m", "Diameter of the body.", Part::usual, Element::float64, 1, SCREE_VALUES(diameter)},
+    {"diameter", "m", "Diameter of the body, or of the sphere of equal volume.", Part::usual, Element::float64, 1,
+     SCREE_VALUES(diameter)},
     {"mass", "kg", "Mass.", Part::usual, Element::float64, 1, SCREE_VALUES(mass)},
     {"material", "1", "Place of the material in the case, from 0.", Part::usual, Element::int32, 1,
      SCREE_VALUES(material)},
     {"group", "1", "Place of the particle group in the case, from 0.", Part::usual, Element::int32, 1,
      SCREE_VALUES(group)},
+    {"orientation", "1", "Quaternion w, x, y, z of the rotation from the axes of the particle to those of the domain.",
+     Part::of_shapes, Element::float64, 4, SCREE_VALUES(orientation)},
+    {"half_axes", "m", "Half axes along the x, y and z of the particle.", Part::of_shapes, Element::float64, 3,
+     SCREE_VALUES(half_axes)},
+    {"exponents", "1", "e1 (along z) and e2 (in the plane of x and y) of the superellipsoid; 1 and 1: ellipsoid.",
+     Part::of_shapes, Element::float64, 2, SCREE_VALUES(exponents)},
     {"agglomerate", "1", "Smallest id in the agglomerate; -1 for a single particle.", Part::of_agglomerates,
      Element::int64, 1, SCREE_VALUES(agglomerate)},
     {"agglomerate_size", "1", "Number of particles in the agglomerate.", Part::of_agglomerates, Element::int32, 1,
@@ -50,14 +58,24 @@ constexpr FrameField fields[] = {
 
 #undef SCREE_VALUES
 
-bool chosen(const FrameField& field, const OutputKeys& output, bool agglomerates) {
+bool chosen(const FrameField& field, const OutputKeys& output, FrameParts there) {
+  if (field.part == Part::of_shapes && !there.shapes) return false;
   if (field.part == Part::always) return true;
   if (!output.fields.empty()) return std::ranges::find(output.fields, field.name) != output.fields.end();
-  return field.part == Part::usual || (field.part == Part::of_agglomerates && agglomerates);
+  return field.part == Part::usual || field.part == Part::of_shapes ||
+         (field.part == Part::of_agglomerates && there.agglomerates);
 }
 
 bool in_single(const FrameField& field, const OutputKeys& output) {
   return field.element == Element::float64 && output.precision == "single";
+}
+
+void add_shape(const ParticleSystem& s, std::size_t i, FrameData& d) {
+  const double *q = s.particles.orientation.row(i), radius = s.particles.motion.row(i)[lane::radius];
+  const Form& form = s.forms[static_cast<std::size_t>(s.particles.form[i])];
+  d.orientation.insert(d.orientation.end(), q, q + 4);
+  for (const double axis : form.half_axes()) d.half_axes.push_back(radius * axis);
+  d.exponents.insert(d.exponents.end(), form.exponents.begin(), form.exponents.end());
 }
 
 /// Contacts of each particle, by its place.
@@ -97,14 +115,15 @@ FrameData frame_data(const Sample& sample, bool agglomerates) {
     d.position.insert(d.position.end(), m, m + 3);
     d.velocity.insert(d.velocity.end(), m + 4, m + 7);
     for (int k = 0; k < 3; ++k) d.angular_velocity.push_back(spin[k] * spin[3]);
-    d.diameter.push_back(2 * m[3]);
+    d.diameter.push_back(2 * p.radius_by_volume(i));
     d.mass.push_back(p.mass[i]);
     d.material.push_back(p.material[i]);
     d.group.push_back(p.group[i]);
     d.force.insert(d.force.end(), force, force + 3);
     for (int k = 0; k < 3; ++k)
       d.unwrapped_position.push_back(m[k] + p.image.row(i)[k] * sample.system.domain.length(k));
-    d.effect_diameter.push_back(2 * (m[3] + p.effect_excess[i]));
+    d.effect_diameter.push_back(2 * (p.radius_by_volume(i) + p.effect_excess[i]));
+    if (p.shaped()) add_shape(sample.system, i, d);
     d.contacts.push_back(contacts[i]);
     if (!agglomerates) continue;
     d.agglomerate.push_back(found.label[i]);
@@ -115,9 +134,9 @@ FrameData frame_data(const Sample& sample, bool agglomerates) {
 
 std::vector<FrameColumn> frame_columns(const FrameData& d, const OutputKeys& output) {
   std::vector<FrameColumn> out;
-  const bool agglomerates = !d.agglomerate.empty();
+  const FrameParts there{!d.agglomerate.empty(), !d.orientation.empty()};
   for (const FrameField& field : fields) {
-    if (!chosen(field, output, agglomerates) || (field.part == Part::of_agglomerates && !agglomerates)) continue;
+    if (!chosen(field, output, there) || (field.part == Part::of_agglomerates && !there.agglomerates)) continue;
     FrameColumn column{
         field.name, field.unit, field.meaning, {field.element, d.id.size(), field.components, field.values(d)}};
     if (in_single(field, output)) round_to_single(column);
@@ -126,10 +145,10 @@ std::vector<FrameColumn> frame_columns(const FrameData& d, const OutputKeys& out
   return out;
 }
 
-std::size_t frame_bytes_per_particle(const OutputKeys& output, bool agglomerates) {
+std::size_t frame_bytes_per_particle(const OutputKeys& output, FrameParts there) {
   std::size_t bytes = sizeof(std::int32_t);  // of the list of vertices
   for (const FrameField& field : fields)
-    if (chosen(field, output, agglomerates))
+    if (chosen(field, output, there))
       bytes += field.components * element_size(in_single(field, output) ? Element::float32 : field.element);
   return bytes;
 }

@@ -11,6 +11,11 @@
 
 namespace scree {
 
+/// Which fields that not every case has are there.
+struct FrameParts {
+  bool agglomerates = false, shapes = false;
+};
+
 /// Values for the frames, in the order of ids.
 struct FrameData {
   std::vector<std::int64_t> id;
@@ -18,6 +23,7 @@ struct FrameData {
   std::vector<std::int32_t> material, group;
   std::vector<std::int64_t> agglomerate;
   std::vector<std::int32_t> agglomerate_size;
+  std::vector<double> orientation, half_axes, exponents;  // empty if all particles are spheres
   std::vector<double> force, unwrapped_position, effect_diameter;
   std::vector<std::int32_t> contacts;
 };
@@ -30,7 +36,7 @@ FrameData frame_data(const Sample& sample, bool agglomerates);
 std::vector<FrameColumn> frame_columns(const FrameData& data, const OutputKeys& output);
 
 /// Bytes that the chosen fields of one particle take in a frame, uncompressed, the list of vertices included.
-std::size_t frame_bytes_per_particle(const OutputKeys& output, bool agglomerates);
+std::size_t frame_bytes_per_particle(const OutputKeys& output, FrameParts there);
 
 /// The names of all fields that there are.
 std::vector<std::string> frame_field_names();

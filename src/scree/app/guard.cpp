@@ -118,6 +118,14 @@ Overlap deepest_at_wall(const ParticleSystem& s) {
                   (wall.share > pair.share ? wall : pair).reason));
 }
 
+/// A contact that the program cannot find is never taken for none.
+[[noreturn]] void report_unresolved(double time) {
+  throw PhysicsError(
+      fmt::format("t = {:.9g} s: particles that are no spheres have come near each other, or near a wall that is no "
+                  "plane; such contacts are not there yet",
+                  time));
+}
+
 }  // namespace
 
 void guard_stride(const ParticleSystem& s, double stride, double dt, double time) {
@@ -154,7 +162,8 @@ void guard_fields(const Particles& particles, const Buffer<sc_field>& field, dou
 }
 
 void guard_step(const ParticleSystem& system, const SweepFindings& findings, double max_overlap, double time) {
-  if (findings.sound && findings.inside && findings.deepest <= max_overlap) return;
+  if (findings.sound && findings.inside && findings.deepest <= max_overlap && findings.unresolved == 0) return;
+  if (findings.unresolved > 0) report_unresolved(time);
   if (!findings.sound) report_unsound(system.particles, time);
   if (findings.deepest > max_overlap) report_deep(system, findings.deepest, max_overlap, time);
   report_lost(system, time);

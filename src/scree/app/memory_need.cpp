@@ -21,7 +21,7 @@ std::string memory_refusal(const Case& c, std::optional<double> available) {
       largest = g;
     }
   }
-  const double bytes = total * static_cast<double>(Particles::bytes_per_particle());
+  const double bytes = total * static_cast<double>(Particles::bytes_per_particle(has_shapes(c)));
   if (!available || bytes <= *available) return {};
   const std::string group = item_path("particles", largest);
   const bool counted = c.text && c.text->origins.given(group + ".count");

@@ -100,6 +100,11 @@ double carry(std::vector<PrescribedGroup>& groups, Particles& particles, const D
     const std::array<double, 3> drift = velocity_of(group, start, now + 0.5 * dt);
     const std::array<double, 3> velocity = leapfrog ? drift : velocity_of(group, start, now + dt);
     double* m = particles.motion.row(i);
+    if (particles.shaped()) {
+      double off2 = 0;
+      for (int k = 0; k < 3; ++k) off2 += (drift[k] - m[lane::vx + k]) * (drift[k] - m[lane::vx + k]);
+      particles.angular_momentum.row(i)[lane::path] += 1.000001 * dt * std::sqrt(off2);
+    }
     for (int k = 0; k < 3; ++k) {
       m[k] += dt * (drift[k] - m[lane::vx + k]);
       m[lane::vx + k] = velocity[k];

@@ -71,7 +71,7 @@ Archive checkpoint_of(const Case& c, const ParticleKeys& keys) {
 }  // namespace
 
 Particles particles_of(const Archive& archive) {
-  Particles out;
+  Particles out(archive.contains("form"));
   out.resize(static_cast<std::size_t>(archive.integer("particles")));
   out.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
     if (!saved) return;
@@ -82,6 +82,27 @@ Particles particles_of(const Archive& archive) {
     std::copy(values.begin(), values.end(), column.values.begin());
   });
   return out;
+}
+
+Forms forms_of(const Archive& archive) {
+  Forms forms;
+  if (!archive.contains("forms")) return forms;
+  const auto numbers = archive.get<double>("forms", 5);
+  for (std::size_t k = 0; k + 5 <= numbers.size(); k += 5)
+    forms.push_back(
+        make_form_at_radius_one({numbers[k], numbers[k + 1], numbers[k + 2]}, numbers[k + 3], numbers[k + 4]));
+  return forms;
+}
+
+void save_forms(const Forms& forms, Archive& archive) {
+  if (forms.empty()) return;
+  std::vector<double> numbers;
+  for (const Form& form : forms) {
+    const Axes axes = form.half_axes();
+    numbers.insert(numbers.end(), axes.begin(), axes.end());
+    numbers.insert(numbers.end(), form.exponents.begin(), form.exponents.end());
+  }
+  archive.put("forms", std::move(numbers), 5);
 }
 
 std::string group_names(const Case& c) {
@@ -98,6 +119,7 @@ bool takes_over(const Case& c) {
 std::vector<GivenParticle> take_over(const Case& c, const ParticleKeys& keys) {
   const Archive archive = checkpoint_of(c, keys);
   const Particles p = particles_of(archive);
+  const Forms forms = forms_of(archive);
   const std::int32_t wanted = source_group(c, archive, keys);
   std::vector<std::uint32_t> order(p.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -111,7 +133,14 @@ std::vector<GivenParticle> take_over(const Case& c, const ParticleKeys& keys) {
     taken.push_back({{m[0], m[1], m[2]},
                      {{m[lane::vx], m[lane::vy], m[lane::vz]}},
                      {{s[0] * rate, s[1] * rate, s[2] * rate}},
-                     2 * m[lane::radius]});
+                     2 * p.radius_by_volume(i),
+                     {},
+                     {}});
+    if (p.shaped()) {
+      const double* q = p.orientation.row(i);
+      taken.back().orientation = sc_make_quat(q[0], q[1], q[2], q[3]);
+      taken.back().shape = forms.at(static_cast<std::size_t>(p.form[i]));
+    }
     largest = std::max(largest, 2 * m[lane::radius]);
   }
   if (taken.empty())

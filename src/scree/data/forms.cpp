@@ -56,7 +56,10 @@ Axes superellipsoid_inertia(const Axes& half_axes, double e1, double e2) {
 
 Form make_form(const Axes& half_axes, double e1, double e2) {
   const double radius = bounding_radius(half_axes, e1, e2);
-  const Axes axes{half_axes[0] / radius, half_axes[1] / radius, half_axes[2] / radius};
+  return make_form_at_radius_one({half_axes[0] / radius, half_axes[1] / radius, half_axes[2] / radius}, e1, e2);
+}
+
+Form make_form_at_radius_one(const Axes& axes, double e1, double e2) {
   Form form;
   form.shape = sc_make_form(sc_make_vec(axes[0], axes[1], axes[2]), e1, e2);
   form.exponents = {e1, e2};

@@ -37,6 +37,9 @@ Axes superellipsoid_inertia(const Axes& half_axes, double e1, double e2);
 /// The form of a superellipsoid with half axes in proportion to `half_axes`; 0.1 <= e1, e2 <= 1.9.
 Form make_form(const Axes& half_axes, double e1, double e2);
 
+/// The same of half axes that are those at bounding radius 1 to the last bit, as Form::half_axes() gives them.
+Form make_form_at_radius_one(const Axes& half_axes, double e1, double e2);
+
 /// The sphere.
 Form sphere_form();
 

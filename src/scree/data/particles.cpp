@@ -43,13 +43,17 @@ void Particles::append(const Particles& others) {
 #define FIELD(name, type, components, travels, saved, doc) \
   std::copy_n(others.name.values.data(), others.size() * components, name.row(old));
   SCREE_PARTICLE_FIELDS(FIELD)
+  if (!shaped_) return;
+  SCREE_SHAPE_FIELDS(FIELD)
 #undef FIELD
 }
 
-std::size_t Particles::bytes_per_particle() {
+std::size_t Particles::bytes_per_particle(bool shaped) {
   std::size_t bytes = 0;
 #define FIELD(name, type, components, travels, saved, doc) bytes += sizeof(type) * components;
   SCREE_PARTICLE_FIELDS(FIELD)
+  if (!shaped) return bytes;
+  SCREE_SHAPE_FIELDS(FIELD)
 #undef FIELD
   return bytes;
 }

@@ -32,6 +32,15 @@ enum class Travels { always, on_migration, never };
   FIELD(impulse, double, 4, on_migration, true, "impulse of drag, fields, walls, fixed bodies x y z [N s], unused") \
   FIELD(angular_impulse, double, 4, on_migration, true, "their angular impulse about the origin x y z [N m s], unused")
 
+// Only where some particle is no sphere. `spin` then follows from the angular momentum: that of the time of the
+// velocities, with the inertia of the orientation, which goes with the positions. Inverse moments of bodies of infinite
+// mass are 0, and their spin is what it was set to.
+#define SCREE_SHAPE_FIELDS(FIELD)                                                                                 \
+  FIELD(form, std::int32_t, 1, on_migration, true, "index into the forms; 0 is the sphere")                       \
+  FIELD(orientation, double, 4, always, true, "quaternion w x y z from the body's frame to the world's")          \
+  FIELD(angular_momentum, double, 4, always, true, "in the world x y z [kg m2/s], way of the surface so far [m]") \
+  FIELD(inertia, double, 4, on_migration, true, "inverse principal moments x y z [1/(kg m2)], radius by volume [m]")
+
 /// One field: `components` values per particle, contiguous.
 template <class T, int Components>
 struct Column {
@@ -49,15 +58,33 @@ struct Column {
 namespace lane {
 enum : int { x = 0, y = 1, z = 2, radius = 3, vx = 4, vy = 5, vz = 6, inverse_mass = 7 };
 enum : int { sx = 0, sy = 1, sz = 2, inverse_radius = 3 };
+/// Of ::angular_momentum, and of ::inertia.
+enum : int { path = 3 };
+enum : int { radius_by_volume = 3 };
 }  // namespace lane
 
 class Particles {
  public:
+  Particles() = default;
+
+  /// With the fields of shapes, or without.
+  explicit Particles(bool shaped) : shaped_(shaped) {}
+
 #define FIELD(name, type, components, travels, saved, doc) Column<type, components> name;
   SCREE_PARTICLE_FIELDS(FIELD)
+  SCREE_SHAPE_FIELDS(FIELD)
 #undef FIELD
 
   std::size_t size() const { return size_; }
+
+  /// Whether the fields of shapes are there.
+  bool shaped() const { return shaped_; }
+
+  /// Radius of the sphere of the same volume, for what goes by volume: drag, solid fractions [m]. The radius in
+  /// `motion` is that of the sphere around the body.
+  double radius_by_volume(std::size_t i) const {
+    return shaped_ ? inertia.row(i)[lane::radius_by_volume] : motion.row(i)[lane::radius];
+  }
 
   /// New particles have all fields zero.
   void resize(std::size_t n);
@@ -65,7 +92,7 @@ class Particles {
   /// Puts particle order[i] at place i, in every field; particles that `order` does not name are gone.
   void permute(const std::vector<std::uint32_t>& order);
 
-  /// Adds copies of all the others after those that are there.
+  /// Adds copies of all the others after those that are there. Both have shapes, or neither.
   void append(const Particles& others);
 
   /// Calls visit(name, column, travels, saved, doc) for every field, in the order of the table.
@@ -74,14 +101,17 @@ class Particles {
 #define FIELD(name, type, components, travels, saved, doc) \
   visit(std::string_view(#name), name, Travels::travels, saved, doc);
     SCREE_PARTICLE_FIELDS(FIELD)
+    if (!shaped_) return;
+    SCREE_SHAPE_FIELDS(FIELD)
 #undef FIELD
   }
 
-  /// Memory of one particle over all fields [bytes].
-  static std::size_t bytes_per_particle();
+  /// Memory of one particle over all fields, with shapes or without [bytes].
+  static std::size_t bytes_per_particle(bool shaped);
 
  private:
   std::size_t size_ = 0;
+  bool shaped_ = false;
 };
 
 /// The places of all particles in the order of their ids.

@@ -124,6 +124,7 @@ struct Binder {
   }
 
   void absent(const Section& section, const Key& key, const std::string& path, void* keys) {
+    if (is_spared(section, key, keys)) return;
     if (key.is_required) return missing(section, key, path);
     const auto* slot = std::get_if<Nested>(&key.slot);
     if (slot == nullptr) return;

@@ -2,6 +2,7 @@
 // Each field's meaning, unit, limits and default stand once, in the key table (input/keys_*.cpp).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -116,10 +117,23 @@ struct VelocityKeys {
   double deviation = 0;        // random: standard deviation of each component [m/s]
 };
 
+/// How particles lie at the start.
+struct OrientationKeys {
+  std::string type = "given";      // given, random, aligned
+  std::vector<double> quaternion;  // w x y z, body to world; empty: by axis and angle
+  Vec3 axis{0, 0, 1};
+  double angle = 0;   // [rad]
+  double spread = 0;  // aligned: standard deviation of the turn about each axis of the world [rad]
+};
+
 struct ParticleKeys {
   std::string name;
   std::string material;
-  SizeKeys diameter;
+  std::string shape = "sphere";   // sphere, ellipsoid, superellipsoid, cylinder, box
+  Vec3 half_axes{};               // of all but spheres; with a diameter, their ratios only [m]
+  std::vector<double> exponents;  // e1 (along z), e2 (in the plane of x and y)
+  OrientationKeys orientation;
+  SizeKeys diameter;                // of the sphere of equal volume
   double effect_gap = 0;            // d_e - d_b: how much the effect diameter exceeds the body diameter [m]
   std::string motion = "free";      // free, fixed, prescribed: the last two have infinite mass
   Expression3 motion_velocity;      // prescribed: formulas of t (and of the initial x, y, z) [m/s]
@@ -304,5 +318,11 @@ struct Case {
 
 /// Whether collisions are impulses.
 inline bool is_hard(const Case& c) { return c.contact.collision == "hard"; }
+
+/// Whether the case has groups of particles that are no spheres. Those of a checkpoint are not known here.
+inline bool has_shapes(const Case& c) {
+  return std::any_of(c.particles.begin(), c.particles.end(),
+                     [](const ParticleKeys& p) { return p.shape != "sphere" && p.insert != "checkpoint"; });
+}
 
 }  // namespace scree

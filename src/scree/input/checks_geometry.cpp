@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scree/data/forms.h"
 #include "scree/input/checks.h"
 
 namespace scree {
@@ -28,6 +29,13 @@ void check_domain(const Check& check) {
   }
 }
 
+/// Diameter of the sphere around a body over that of the sphere of its volume.
+double around_body(const ParticleKeys& p) {
+  const Vec3& a = p.half_axes;
+  if (p.shape == "sphere" || p.exponents.size() != 2 || !(a[0] > 0 && a[1] > 0 && a[2] > 0)) return 1;
+  return 1 / make_form(a, p.exponents[0], p.exponents[1]).equivalent_radius;
+}
+
 double largest_diameter(const SizeKeys& size) {
   if (size.distribution == "classes")
     return size.diameters.empty() ? 0 : *std::max_element(size.diameters.begin(), size.diameters.end());
@@ -38,7 +46,8 @@ double largest_diameter(const SizeKeys& size) {
 void check_periods(const Check& check) {
   const Case& c = check.c;
   double range = 0;
-  for (const ParticleKeys& p : c.particles) range = std::max(range, largest_diameter(p.diameter) + p.effect_gap);
+  for (const ParticleKeys& p : c.particles)
+    range = std::max(range, largest_diameter(p.diameter) * around_body(p) + p.effect_gap);
   range += c.simulation.skin;
   for (std::size_t i = 0; i < 3; ++i) {
     const double period = c.domain.max[i] - c.domain.min[i];

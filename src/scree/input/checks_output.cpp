@@ -4,8 +4,23 @@
 #include "scree/input/checks.h"
 
 namespace scree {
+namespace {
+
+void check_shape_fields(const Check& check) {
+  const auto& groups = check.c.particles;
+  const bool unknown =
+      std::any_of(groups.begin(), groups.end(), [](const ParticleKeys& p) { return p.insert == "checkpoint"; });
+  if (!check.sound({"output.fields", "particles"}) || has_shapes(check.c) || unknown) return;
+  for (const std::string& field : check.c.output.fields)
+    if (field == "orientation" || field == "half_axes" || field == "exponents")
+      check.fail("E164", "output.fields", fmt::format("the field '{}' needs particles that are no spheres", field),
+                 "all particles are spheres", "leave the field out, or set a shape   (scree explain particles.shape)");
+}
+
+}  // namespace
 
 void check_output(const Check& check) {
+  check_shape_fields(check);
   if (!check.sound({"output.fields", "analysis.agglomerates"}) || check.c.analysis.agglomerates) return;
   for (const std::string& field : check.c.output.fields)
     if (field.starts_with("agglomerate"))

@@ -1,6 +1,7 @@
 // Particles: sizes, how many, from where; and what the run asks of the flow and the clock.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -33,6 +34,35 @@ void check_size(const Check& check, const std::string& path, const SizeKeys& siz
   else if (size.distribution != "uniform" && (size.mean < size.min || size.mean > size.max))
     check.fail("E167", path + ".mean", "the mean diameter is not between min and max",
                fmt::format("min is {} m, max is {} m", size.min, size.max));
+}
+
+void check_shape(const Check& check, std::size_t index) {
+  constexpr double largest_ratio = 20, length_tolerance = 1e-6;
+  const ParticleKeys& p = check.c.particles[index];
+  const std::string path = item_path("particles", index);
+  if (p.shape == "sphere" || p.insert == "checkpoint" ||
+      !check.sound({path + ".shape", path + ".half_axes", path + ".exponents", path + ".orientation"}))
+    return;
+  const auto [least, most] = std::minmax_element(p.half_axes.begin(), p.half_axes.end());
+  if (*most > largest_ratio * *least)
+    check.fail("E167", path + ".half_axes", "the shape is too long or too flat",
+               fmt::format("the half axes differ by a factor of {:.4g}", *most / *least), "up to 20 is possible");
+  if (p.exponents.size() != 2)
+    check.fail("E104", path + ".exponents", "'exponents' must be two numbers, e1 and e2",
+               fmt::format("{} given", p.exponents.size()), "e1 is that along z, e2 that in the plane of x and y");
+  const OrientationKeys& o = p.orientation;
+  const std::string turn = path + ".orientation";
+  double square = 0;
+  for (const double q : o.quaternion) square += q * q;
+  if (!o.quaternion.empty() && (o.quaternion.size() != 4 || std::abs(square - 1) > length_tolerance))
+    check.fail("E104", turn + ".quaternion", "a quaternion must be four numbers w, x, y, z of length 1",
+               o.quaternion.size() == 4 ? fmt::format("its length is {:.7g}", std::sqrt(square))
+                                        : fmt::format("{} given", o.quaternion.size()));
+  if (o.axis == Vec3{} && o.type != "random")
+    check.fail("E167", turn + ".axis", "the axis of the rotation has no direction", "it is (0, 0, 0)");
+  if (check.c.gravity.type == "rotating")
+    check.fail("E164", path + ".shape", "particles in a rotating frame must be spheres", "gravity.type is 'rotating'",
+               "turn the walls ([walls.motion]) instead of the frame");
 }
 
 void check_insertion(const Check& check, std::size_t index) {
@@ -119,6 +149,7 @@ void check_particles(const Check& check) {
   for (std::size_t i = 0; i < c.particles.size(); ++i) {
     check_size(check, item_path("particles", i) + ".diameter", c.particles[i].diameter);
     check_insertion(check, i);
+    check_shape(check, i);
   }
   check_flow(check);
   check_tracks(check);

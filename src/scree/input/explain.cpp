@@ -23,7 +23,8 @@ std::string explain_key(const Section& section, const Key& key) {
   out += fmt::format("  value:    {}\n", expected(key));
   if (const std::string range = in_words(key.limits); !range.empty())
     out += fmt::format("  limits:   {}{}\n", range, key.si_unit.empty() ? "" : " " + key.si_unit);
-  out += key.is_required ? "  required\n" : fmt::format("  default:  {}\n", default_of(section, key));
+  out += key.is_required ? fmt::format("  {}\n", requirement(key))
+                         : fmt::format("  default:  {}\n", default_of(section, key));
   for (const Condition& c : key.conditions) out += fmt::format("  only with {}\n", in_words(c));
   if (section.observes || key.may_change) out += "  may change at a restart\n";
   return out;
@@ -32,7 +33,7 @@ std::string explain_key(const Section& section, const Key& key) {
 std::string explain_section(const Section& section) {
   std::string out = fmt::format("{}\n  {}\n\n", section.heading, section.meaning);
   for (const Key& key : section.keys) {
-    const std::string note = key.is_required ? "required" : default_of(section, key);
+    const std::string note = key.is_required ? requirement(key) : default_of(section, key);
     out += fmt::format("  {:<28} {}{} [{}]\n", key.name, key.meaning, key.si_unit.empty() ? "" : ", in " + key.si_unit,
                        note);
   }

@@ -61,6 +61,11 @@ struct Expected {
   std::string operator()(const NestedList&) const { return "a list of tables"; }
 };
 
+bool holds(const Section& section, const Condition& c, void* keys) {
+  const std::string word = current_word(*find(section, c.key), keys);
+  return (std::find(c.values.begin(), c.values.end(), word) != c.values.end()) != c.none;
+}
+
 }  // namespace
 
 const Key* find(const Section& section, std::string_view name) {
@@ -89,10 +94,18 @@ std::string current_word(const Key& key, void* keys) {
 }
 
 bool applies(const Section& section, const Key& key, void* keys) {
-  return std::all_of(key.conditions.begin(), key.conditions.end(), [&](const Condition& c) {
-    const std::string word = current_word(*find(section, c.key), keys);
-    return (std::find(c.values.begin(), c.values.end(), word) != c.values.end()) != c.none;
-  });
+  return std::all_of(key.conditions.begin(), key.conditions.end(),
+                     [&](const Condition& c) { return holds(section, c, keys); });
+}
+
+std::string requirement(const Key& key) {
+  std::string out = "required";
+  for (const Condition& c : key.spared) out += " unless " + in_words(c);
+  return out;
+}
+
+bool is_spared(const Section& section, const Key& key, void* keys) {
+  return std::any_of(key.spared.begin(), key.spared.end(), [&](const Condition& c) { return holds(section, c, keys); });
 }
 
 void set_default(const Section& section, const Key& key, void* keys) {

@@ -70,6 +70,7 @@ struct Key {
   std::string word;                   // of an optional number: the word for "not given"
   std::string default_text;           // what an absent value means, where it is no constant
   std::vector<Condition> conditions;  // all must hold
+  std::vector<Condition> spared;      // may be left out, required or not, while one of these holds
   bool may_change = false;            // at a restart
 
   Key& unit(std::string u) { return si_unit = std::move(u), *this; }
@@ -89,6 +90,9 @@ struct Key {
   Key& not_with(std::string key, std::vector<std::string> values) {
     return conditions.push_back({std::move(key), std::move(values), true}), *this;
   }
+  Key& spared_unless(std::string key, std::vector<std::string> values) {
+    return spared.push_back({std::move(key), std::move(values), true}), *this;
+  }
   Key& may_change_at_restart() { return may_change = true, *this; }
 };
 
@@ -105,9 +109,10 @@ struct Section {
 /// A key of struct S held in one of its members.
 template <class S, class V>
 Key key(const char* name, V S::*member, const char* meaning) {
-  return {
-      name, meaning, Get<V>([member](void* s) -> V& { return static_cast<S*>(s)->*member; }), "", {}, {}, {}, {}, {},
-      {},   {}};
+  return {name, meaning, Get<V>([member](void* s) -> V& { return static_cast<S*>(s)->*member; }),
+          "",   {},      {},
+          {},   {},      {},
+          {},   {},      {}};
 }
 
 /// A choice of a law by number, in the order of the enumeration.
@@ -115,7 +120,7 @@ inline Key law(const char* name, int sc_laws::*member, const char* meaning) {
   return {name, meaning, Get<int>([member](void* s) -> int& { return static_cast<ContactKeys*>(s)->laws.*member; }),
           "",   {},      {},
           {},   {},      {},
-          {},   {}};
+          {},   {},      {}};
 }
 
 /// A table within a table.
@@ -125,6 +130,7 @@ Key table(const char* name, T S::*member, const Section& section, const char* sh
           section.meaning,
           Nested{[member](void* s) -> void* { return &(static_cast<S*>(s)->*member); }, &section, shorthand},
           "",
+          {},
           {},
           {},
           {},
@@ -143,7 +149,7 @@ Key tables(const char* name, std::vector<T>& (*list)(S&), const Section& section
   nested.at = [of](void* s, std::size_t i) -> void* { return &of(s)[i]; };
   nested.add = [of](void* s) -> void* { return &of(s).emplace_back(); };
   nested.section = &section;
-  return {name, section.meaning, nested, "", {}, {}, {}, {}, {}, {}, {}};
+  return {name, section.meaning, nested, "", {}, {}, {}, {}, {}, {}, {}, {}};
 }
 
 /// The key of that name, or nullptr.
@@ -160,6 +166,12 @@ std::string current_word(const Key& key, void* keys);
 
 /// Whether the key's conditions hold for the struct.
 bool applies(const Section& section, const Key& key, void* keys);
+
+/// "required", and unless what.
+std::string requirement(const Key& key);
+
+/// Whether the key may be left out for what the struct holds, though it is required.
+bool is_spared(const Section& section, const Key& key, void* keys);
 
 /// Gives the key its default again.
 void set_default(const Section& section, const Key& key, void* keys);

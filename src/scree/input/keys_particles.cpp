@@ -11,7 +11,9 @@ const Section& diameter_section() {
   static const Section section = {
       "particles.diameter",
       "the diameter",
-      "Body diameter: one value for all, or a distribution by number.",
+      "Diameter of the body, or of the sphere of equal volume: one value for all, or a distribution by number. Shapes "
+      "may "
+      "have their size from 'half_axes' instead.",
       {key("distribution", &S::distribution,
            "single: one value; classes: some values with their fractions; uniform, normal, lognormal: between min and "
            "max")
@@ -68,19 +70,71 @@ const Section& velocity_section() {
   return section;
 }
 
+const Section& orientation_section() {
+  using S = OrientationKeys;
+  static const std::vector<std::string> turned = {"given", "aligned"};
+  static const Section section = {
+      "particles.orientation",
+      "the orientation",
+      "How the axes of particles that are no spheres lie at the start.",
+      {key("type", &S::type,
+           "given: all alike; random: uniform over all orientations; aligned: as given, then turned a little at random")
+           .one_of({"given", "random", "aligned"}),
+       key("quaternion", &S::quaternion, "w, x, y, z of the rotation from the particle's axes to those of the domain")
+           .between(-1, 1)
+           .defaults_to("the rotation about 'axis' by 'angle'")
+           .only_with("type", turned),
+       key("axis", &S::axis, "axis of the rotation, of any length").only_with("type", turned),
+       key("angle", &S::angle, "angle of the rotation").unit("rad").only_with("type", turned),
+       key("spread", &S::spread, "standard deviation of the random turn about each axis of the domain")
+           .unit("rad")
+           .above(0)
+           .required()
+           .only_with("type", {"aligned"})},
+      [] { return std::make_shared<S>(); }};
+  return section;
+}
+
 }  // namespace
 
 const Section& particles_section() {
   using S = ParticleKeys;
   static const std::vector<std::string> filled = {"lattice", "random"}, boxed = {"lattice", "random", "rate"},
-                                        feed = {"rate"};
+                                        feed = {"rate"}, shaped = {"ellipsoid", "superellipsoid", "cylinder", "box"};
   static const Section section = {
       "particles",
       "[[particles]]",
       "A group of particles. Ids are counted through the groups in the order of the file, then as particles come in.",
       {key("name", &S::name, "name in messages and results").is_a(TextKind::name).defaults_to("group0, group1, ..."),
        key("material", &S::material, "name of a material").required(),
-       table("diameter", &S::diameter, diameter_section(), "value").required().not_with("insert", {"checkpoint"}),
+       key("shape", &S::shape,
+           "sphere; ellipsoid; superellipsoid: |x/a|^(2/e2) + |y/b|^(2/e2) to the power e2/e1, plus |z/c|^(2/e1), is "
+           "1; cylinder: the same with its axis along z and rounded edges (exponents 0.25 and 1); box: with rounded "
+           "edges (0.25 and 0.25)")
+           .one_of({"sphere", "ellipsoid", "superellipsoid", "cylinder", "box"})
+           .not_with("insert", {"checkpoint"}),
+       key("half_axes", &S::half_axes,
+           "half axes a, b, c of the shape, with a ratio of up to 20; where 'diameter' is given, it makes the size and "
+           "they count by their ratios")
+           .unit("m")
+           .above(0)
+           .required()
+           .only_with("shape", shaped)
+           .not_with("insert", {"checkpoint"}),
+       key("exponents", &S::exponents,
+           "e1 (along z) and e2 (in the plane of x and y): 1 is an ellipsoid, towards 0 edges get sharp (the powers "
+           "2/e of the equation rise), above 1 the shape comes to points")
+           .between(0.1, 1.9)
+           .required()
+           .only_with("shape", {"superellipsoid"})
+           .not_with("insert", {"checkpoint"}),
+       table("orientation", &S::orientation, orientation_section(), "type")
+           .only_with("shape", shaped)
+           .not_with("insert", {"checkpoint"}),
+       table("diameter", &S::diameter, diameter_section(), "value")
+           .required()
+           .spared_unless("shape", {"sphere"})
+           .not_with("insert", {"checkpoint"}),
        key("effect_gap", &S::effect_gap,
            "by how much the effect diameter, up to which linear cohesion acts, exceeds the body diameter")
            .unit("m")
@@ -121,8 +175,8 @@ const Section& particles_section() {
            .between(0, 1)
            .only_with("insert", {"lattice"}),
        key("file", &S::file,
-           "CSV file with the columns x, y, z and perhaps vx, vy, vz, wx, wy, wz, diameter, in SI units; relative to "
-           "the case file")
+           "CSV file with the columns x, y, z and perhaps vx, vy, vz, wx, wy, wz, diameter, qw, qx, qy, qz, in SI "
+           "units; relative to the case file")
            .is_a(TextKind::file)
            .required()
            .only_with("insert", {"file"}),

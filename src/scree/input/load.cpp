@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "scree/base/error.h"
+#include "scree/data/forms.h"
 #include "scree/input/bind.h"
 #include "scree/input/checks.h"
 #include "scree/input/located.h"
@@ -46,6 +47,17 @@ void complete_measures(std::vector<Keys>& list, const char* table, const char* n
   }
 }
 
+/// The exponents of shapes that have a name, and the diameter of equal volume where the half axes alone tell the size.
+void complete_shape(ParticleKeys& p, bool has_diameter) {
+  if (p.shape == "sphere" || p.shape == "ellipsoid") p.exponents = {1, 1};
+  if (p.shape == "cylinder") p.exponents = {0.25, 1};
+  if (p.shape == "box") p.exponents = {0.25, 0.25};
+  const Vec3& a = p.half_axes;
+  if (p.shape == "sphere" || has_diameter || p.exponents.size() != 2 || !(a[0] > 0 && a[1] > 0 && a[2] > 0)) return;
+  p.diameter.value = 2 * make_form(a, p.exponents[0], p.exponents[1]).equivalent_radius *
+                     bounding_radius(a, p.exponents[0], p.exponents[1]);
+}
+
 /// Defaults that are not constants: names by number, the whole domain as region, absolute file names, a tangential law
 /// that fits the normal one.
 void complete(Case& c, const Origins& origins) {
@@ -57,6 +69,7 @@ void complete(Case& c, const Origins& origins) {
     if (!origins.given(path + ".name")) p.name = fmt::format("group{}", i);
     if (!origins.given(path + ".region_min")) p.region_min = c.domain.min;
     if (!origins.given(path + ".region_max")) p.region_max = c.domain.max;
+    complete_shape(p, origins.given(path + ".diameter"));
     for (std::string* file : {&p.file, &p.checkpoint})
       if (!file->empty()) *file = beside_case(c, *file);
   }

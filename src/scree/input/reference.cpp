@@ -29,7 +29,7 @@ std::string value_cell(const Key& key) {
 }
 
 std::string default_cell(const Section& section, const Key& key) {
-  if (key.is_required) return "**required**";
+  if (key.is_required) return escaped("**" + requirement(key) + "**");
   const std::string text = default_of(section, key);
   return key.default_text.empty() && opened_by(key) == nullptr ? fmt::format("`{}`", text) : text;
 }

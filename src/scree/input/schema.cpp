@@ -98,6 +98,7 @@ Json describe_table(const Section& section) {
   Json required = Json::array();
   for (const Key& key : section.keys) {
     schema["properties"][key.name] = describe_key(section, key);
+    if (!key.spared.empty()) continue;  // required at times only
     if (key.is_required && key.conditions.empty()) required.push_back(key.name);
     if (key.is_required && key.conditions.size() == 1 && key.conditions[0].none)
       schema["allOf"].push_back(required_unless(key.name, key.conditions[0]));

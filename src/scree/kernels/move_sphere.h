@@ -2,36 +2,7 @@
 #ifndef SCREE_KERNELS_MOVE_SPHERE_H
 #define SCREE_KERNELS_MOVE_SPHERE_H
 
-#include "scree/physics/body/rotating_frame.h"
-#include "scree/physics/drag/drag.h"
-#include "scree/physics/drag/relaxation.h"
-#include "scree/physics/vec.h"
-
-/// How the velocity and the position are advanced.
-enum {
-  SC_LEAPFROG = 0,  // v' from the forces at x, then x' = x + v' dt; drag relaxes exactly
-  SC_EXPLICIT = 1,  // report 3.6 and 3.9: forward Euler velocity, trapezoidal position
-  SC_IMPLICIT = 2   // report 3.7 and 3.9: backward Euler drag, trapezoidal position
-};
-
-/// The constants of a step.
-typedef struct {
-  int scheme;
-  int drag;              // SC_DRAG_...
-  real kick;             // time over which forces act on the velocity [s]
-  real drift;            // time over which the velocity acts on the position [s]
-  real lag;              // how far velocities are behind positions [s]
-  sc_vec gravity;        // the same everywhere [m/s2]
-  sc_vec rotation;       // angular velocity of the frame of reference [rad/s]
-  real fluid_density;    // [kg/m3]
-  real fluid_viscosity;  // [Pa s]
-} sc_move;
-
-/// What acts on a particle at its place, besides contacts.
-typedef struct {
-  sc_vec acceleration;  // of body forces, beyond uniform gravity; of a body that moves as prescribed, its own [m/s2]
-  sc_vec fluid;         // velocity of the fluid [m/s]
-} sc_field;
+#include "scree/kernels/move_centre.h"
 
 /// A sphere's motion; `rim` is radius times angular velocity.
 typedef struct {
@@ -44,72 +15,36 @@ typedef struct {
   sc_vec force, turn, couple;
 } sc_sphere_load;
 
-/// A moved sphere, and what fields did to it on the way.
+/// A moved sphere, and the books of its centre.
 typedef struct {
   sc_sphere_motion motion;
-  sc_vec drag_impulse, body_impulse;  // [N s]; of fields, uniform gravity left out
-  real drag_work, body_work;          // [J]
-  real prescribed_work;               // [J] done on the others by a body that moves as prescribed
+  sc_centre_moved centre;
+  real prescribed_work;  // [J] done on the others by a body that moves as prescribed
 } sc_sphere_moved;
 
-/// A velocity and the impulse per mass that drag gave it on the way.
-typedef struct {
-  sc_vec velocity, drag;
-} sc_pushed;
-
-/// Velocity after `push` [m/s2] and drag have acted for `dt`.
-SC_FN sc_pushed sc_push(sc_move m, sc_sphere_motion s, sc_vec velocity, sc_vec push, sc_vec fluid, real dt) {
-  sc_pushed out;
-  if (m.drag == SC_DRAG_NONE) {
-    out.velocity = sc_add_scaled(velocity, dt, push);
-    out.drag = sc_zero_vec();
-  } else {
-    const real slip = sc_norm(sc_sub(fluid, velocity));
-    const real rate = sc_drag_rate(m.drag, slip, R(2) * s.radius, s.inverse_mass, m.fluid_density, m.fluid_viscosity);
-    const int relaxation = m.scheme == SC_LEAPFROG   ? SC_RELAX_EXPONENTIAL
-                           : m.scheme == SC_EXPLICIT ? SC_RELAX_EXPLICIT
-                                                     : SC_RELAX_IMPLICIT;
-    out.velocity = sc_relax(relaxation, velocity, push, fluid, rate, dt);
-    out.drag = sc_sub(sc_sub(out.velocity, velocity), sc_scale(dt, push));
-  }
-  return out;
+SC_FN sc_centre sc_centre_of_sphere(sc_sphere_motion s) {
+  sc_centre c;
+  c.position = s.position;
+  c.velocity = s.velocity;
+  c.radius = s.radius;
+  c.inverse_mass = s.inverse_mass;
+  return c;
 }
 
 /// Moves a sphere by one step. A sphere of inverse mass 0 keeps its velocity.
 SC_FN sc_sphere_moved sc_move_sphere(sc_move m, sc_sphere_motion s, sc_sphere_load load, sc_field field) {
   sc_sphere_moved out;
-  const int free_body = s.inverse_mass > R(0);
-  const real mass = free_body ? R(1) / s.inverse_mass : R(0);
-  const sc_vec body = free_body ? field.acceleration : sc_zero_vec();
-  const sc_vec uniform = free_body ? m.gravity : sc_zero_vec();
-  const sc_vec push = sc_add(sc_scale(s.inverse_mass, load.force), sc_add(uniform, body));
-  const int turns = free_body && sc_dot(m.rotation, m.rotation) > R(0);
-  sc_vec turned = sc_zero_vec();
-  sc_pushed pushed = sc_push(m, s, s.velocity, push, field.fluid, turns ? R(0.5) * m.kick : m.kick);
-  sc_vec drag = pushed.drag;
-  if (turns) {
-    const sc_vec v = sc_coriolis_turn(pushed.velocity, m.rotation, m.kick);
-    turned = sc_sub(v, pushed.velocity);
-    pushed = sc_push(m, s, v, push, field.fluid, R(0.5) * m.kick);
-    drag = sc_add(drag, pushed.drag);
-  }
   out.motion = s;
-  out.motion.velocity = pushed.velocity;
-  const sc_vec mean = sc_scale(R(0.5), sc_add(s.velocity, out.motion.velocity));
-  out.drag_impulse = sc_scale(mass, drag);
-  out.drag_work = sc_dot(out.drag_impulse, mean);
-  out.body_impulse = sc_scale(mass, sc_add_scaled(turned, m.kick, body));
-  out.body_work = sc_dot(out.body_impulse, mean);
-  // Forces act at the positions, so their power is that of the velocity there.
-  const sc_vec prescribed = sc_add_scaled(s.velocity, m.lag, field.acceleration);
-  const real power =
-      sc_dot(load.force, prescribed) + sc_dot(load.turn, s.rim) + s.inverse_radius * sc_dot(load.couple, s.rim);
-  out.prescribed_work = free_body ? R(0) : -m.kick * power;
   // Inertia 2/5 m r^2; `turn` is the torque over the radius.
   const sc_vec turn = sc_add_scaled(load.turn, s.inverse_radius, load.couple);
   out.motion.rim = sc_add_scaled(s.rim, R(2.5) * m.kick * s.inverse_mass, turn);
-  const sc_vec drift = m.scheme == SC_LEAPFROG ? out.motion.velocity : mean;
-  out.motion.position = sc_add_scaled(s.position, m.drift, drift);
+  const sc_vec prescribed = sc_prescribed_velocity(m, s.velocity, field);
+  const real power =
+      sc_dot(load.force, prescribed) + sc_dot(load.turn, s.rim) + s.inverse_radius * sc_dot(load.couple, s.rim);
+  out.prescribed_work = s.inverse_mass > R(0) ? R(0) : -m.kick * power;
+  out.centre = sc_move_centre(m, sc_centre_of_sphere(s), load.force, field);
+  out.motion.position = out.centre.position;
+  out.motion.velocity = out.centre.velocity;
   return out;
 }
 

@@ -4,6 +4,9 @@
 #include <tuple>
 #include <utility>
 
+#include "scree/particles/contact_state.h"
+#include "scree/particles/shapes.h"
+
 namespace scree {
 namespace {
 
@@ -40,6 +43,8 @@ ContactForce of_wall(const Sample& sample, std::int32_t p, std::int32_t w) {
   out.wall = s.walls.faces[out.face].body;
   out.normal = s.wall_contacts.gap[w].normal;
   out.arm = out.branch = sc_scale(s.wall_contacts.gap[w].distance, out.normal);
+  if (!is_sphere(s.particles, static_cast<std::size_t>(p)))
+    out.arm = place_of_shape_at_wall(s, static_cast<std::size_t>(p), s.wall_contacts.gap[w]).arm_a;
   out.force = sc_scale(-1, vec_of(&sample.wall_load[8 * std::size_t(w)]));
   return out;
 }

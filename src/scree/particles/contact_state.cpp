@@ -1,6 +1,8 @@
 #include "scree/particles/contact_state.h"
 
+#include "scree/particles/shapes.h"
 #include "scree/physics/contact/law.h"
+#include "scree/physics/touch/body_plane.h"
 
 namespace scree {
 namespace {
@@ -21,7 +23,16 @@ sc_contact_state state_of(const Buffer<std::uint8_t>& active, const Buffer<doubl
   return s;
 }
 
+/// What the energy of a contact needs: no velocities.
+sc_touch touch_of_shape_at_wall(const ParticleSystem& s, std::size_t p, std::int32_t face) {
+  const double* m = s.particles.motion.row(p);
+  const sc_wall_gap gap = sc_gap_to_wall(s.walls.faces[face], s.walls.pose_of(face), vec_of(m));
+  const sc_body_side body{sc_zero_vec(), sc_zero_vec(), m[lane::inverse_mass]}, wall{sc_zero_vec(), sc_zero_vec(), 0};
+  return sc_touch_at(place_of_shape_at_wall(s, p, gap), body, wall, s.particles.effect_excess[p]);
+}
+
 sc_touch touch_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t face) {
+  if (!is_sphere(s.particles, p)) return touch_of_shape_at_wall(s, p, face);
   const double* m = s.particles.motion.row(p);
   sc_sphere_wall w{};
   w.position = vec_of(m);
@@ -34,6 +45,11 @@ sc_touch touch_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t face
 }
 
 }  // namespace
+
+sc_contact_place place_of_shape_at_wall(const ParticleSystem& s, std::size_t p, const sc_wall_gap& gap) {
+  return sc_place_at_plane(body_shape(s.particles, p, s.forms), gap.normal, gap.distance,
+                           s.particles.radius_by_volume(p));
+}
 
 sc_sphere_touch touch_of_pair(const ParticleSystem& s, std::size_t c) {
   const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];

@@ -3,6 +3,7 @@
 
 #include "scree/particles/system.h"
 #include "scree/physics/contact/contact.h"
+#include "scree/physics/touch/bodies.h"
 #include "scree/physics/touch/sphere_sphere.h"
 
 namespace scree {
@@ -12,6 +13,9 @@ sc_sphere_touch touch_of_pair(const ParticleSystem& system, std::size_t c);
 
 /// What candidate pair c remembers.
 sc_contact_state state_of_pair(const ParticleSystem& system, std::size_t c);
+
+/// Where particle p, which is no sphere, touches a wall whose gap from its centre is known.
+sc_contact_place place_of_shape_at_wall(const ParticleSystem& system, std::size_t p, const sc_wall_gap& gap);
 
 /// Energy stored in candidate pair c [J]; nothing unless it acts.
 sc_contact_energy energy_of_pair(const ParticleSystem& system, std::size_t c);

@@ -10,7 +10,7 @@
 namespace scree {
 
 /// What a random number is drawn for; each use has a stream of its own in every particle group.
-enum class Purpose : std::uint32_t { diameter = 0, position = 1, jitter = 2, velocity = 3 };
+enum class Purpose : std::uint32_t { diameter = 0, position = 1, jitter = 2, velocity = 3, orientation = 4 };
 
 /// The stream of a purpose in the particle group with this index.
 inline std::uint32_t random_stream(Purpose purpose, std::uint32_t group) {

@@ -43,7 +43,7 @@ std::vector<double> due_radii(const FeedContext& k, FeedState state) {
   constexpr std::size_t most = 100000;
   std::vector<double> radii;
   for (Next next = next_of(k, state); radii.size() < most && is_due(k.feed, state, next, k.time);) {
-    radii.push_back(0.5 * (next.diameter + k.group.effect_gap));
+    radii.push_back(radius_around(k.group.shape, next.diameter) + 0.5 * k.group.effect_gap);
     take_in(state, next);
     next = next_of(k, state);
   }
@@ -111,7 +111,7 @@ OccupiedSpace occupied(const FeedContext& k, std::vector<double> due, const Newc
 
 /// Tries places for a particle; true, and its place in `newcomer`, if one is free.
 bool find_room(const FeedContext& k, const OccupiedSpace& space, FeedState& state, Newcomer& newcomer) {
-  const double reach = 0.5 * (newcomer.diameter + k.group.effect_gap);
+  const double reach = radius_around(k.group.shape, newcomer.diameter) + 0.5 * k.group.effect_gap;
   for (std::uint64_t attempt = 0; attempt < k.group.attempts; ++attempt) {
     newcomer.position =
         random_place(k.group, k.feed.group, newcomer, static_cast<std::uint32_t>(state.tries++), k.setting);

@@ -48,8 +48,8 @@ sc_vec stream_at(const Fields& f, std::optional<VectorExpression>& formula, sc_v
 
 /// Mass of the displaced fluid over the mass of the particle (Archimedes); 0 for infinite mass.
 double displaced_share(const Fields& f, const Particles& particles, std::int64_t p) {
-  const double* m = particles.motion.row(p);
-  return f.density * sphere_volume(2 * m[lane::radius]) * m[lane::inverse_mass];
+  const double volume = sphere_volume(2 * particles.radius_by_volume(static_cast<std::size_t>(p)));
+  return f.density * volume * particles.motion.row(static_cast<std::size_t>(p))[lane::inverse_mass];
 }
 
 constexpr std::int64_t block = 128;  // particles whose rows stay in the first cache

@@ -21,10 +21,16 @@ inline Holdings holdings_of(const Particles& p, std::size_t i) {
   const double mass = p.mass[i];
   const sc_vec v = vector_at(m + lane::vx), rim = vector_at(p.spin.row(i));
   out.kinetic = 0.5 * mass * sc_dot(v, v);
-  out.rotational = 0.2 * mass * sc_dot(rim, rim);
   out.momentum = sc_scale(mass, v);
-  const sc_vec spin = sc_scale(0.4 * mass * m[lane::radius], rim);
-  out.angular_momentum = sc_add(spin, sc_scale(mass, sc_cross(vector_at(m), v)));
+  sc_vec own;
+  if (p.shaped()) {
+    own = vector_at(p.angular_momentum.row(i));
+    out.rotational = 0.5 * p.spin.row(i)[lane::inverse_radius] * sc_dot(own, rim);
+  } else {
+    own = sc_scale(0.4 * mass * m[lane::radius], rim);
+    out.rotational = 0.2 * mass * sc_dot(rim, rim);
+  }
+  out.angular_momentum = sc_add(own, sc_scale(mass, sc_cross(vector_at(m), v)));
   return out;
 }
 

@@ -35,6 +35,16 @@ std::vector<double> diameters_by_fraction(const ParticleGroup& group, std::uint3
   }
 }
 
+const Form& shape_of(const ParticleGroup& group, std::uint64_t count) {
+  const bool own = group.placement == ParticleGroup::Placement::given && group.given[count].shape;
+  return own ? *group.given[count].shape : group.shape;
+}
+
+sc_quat orientation_of(const ParticleGroup& group, std::uint32_t index, std::uint64_t count, std::uint64_t seed) {
+  const bool own = group.placement == ParticleGroup::Placement::given && group.given[count].orientation;
+  return own ? *group.given[count].orientation : draw_orientation(group.orientations, seed, index, count);
+}
+
 std::vector<Place> places_of(const ParticleGroup& group, std::uint32_t index, const std::vector<double>& diameters,
                              const InsertionSetting& setting, OccupiedSpace& space) {
   if (group.placement == ParticleGroup::Placement::random)
@@ -50,7 +60,7 @@ std::vector<Place> places_of(const ParticleGroup& group, std::uint32_t index, co
           places.back()[k] = wrapped(given.position[k], setting.domain, k);
     }
   }
-  for (std::size_t i = 0; i < places.size(); ++i) space.add(places[i], 0.5 * diameters[i]);
+  for (std::size_t i = 0; i < places.size(); ++i) space.add(places[i], radius_around(shape_of(group, i), diameters[i]));
   return places;
 }
 
@@ -71,9 +81,37 @@ Place start_velocity(const ParticleGroup& group, std::uint32_t index, std::uint6
   return v;
 }
 
-void fill_row(Particles& particles, std::size_t row, const ParticleGroup& group, double diameter, const Place& x,
-              const Place& v, const Place& w) {
-  const double radius = 0.5 * diameter, mass = group.density * sphere_volume(diameter);
+bool same(const Form& a, const Form& b) { return a.exponents == b.exponents && a.half_axes() == b.half_axes(); }
+
+/// What a particle of a shape has besides: where its axes lie, and its inertia. The radius around it is there already.
+void fill_shape(Particles& particles, std::size_t row, const Forms& forms, const Form& shape, const sc_quat& q,
+                double diameter, const Place& w) {
+  const auto form = std::find_if(forms.begin(), forms.end(), [&](const Form& f) { return same(f, shape); });
+  particles.form[row] = static_cast<std::int32_t>(form - forms.begin());
+  const sc_quat unit = sc_quat_of_length_one(q);
+  const double lanes[4] = {unit.w, unit.x, unit.y, unit.z};
+  std::copy_n(lanes, 4, particles.orientation.row(row));
+  double* inertia = particles.inertia.row(row);
+  inertia[lane::radius_by_volume] = 0.5 * diameter;
+  const double radius = particles.motion.row(row)[lane::radius], mass = particles.mass[row];
+  if (particles.motion.row(row)[lane::inverse_mass] == 0) return;
+  const sc_mat axes = sc_quat_mat(unit);
+  const sc_vec spin = sc_turn_back(axes, {w[0], w[1], w[2]});
+  const std::array<double, 3> own{spin.x, spin.y, spin.z};
+  std::array<double, 3> turning;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double moment = mass * radius * radius * shape.inertia[k];
+    inertia[k] = 1 / moment;
+    turning[k] = moment * own[k];
+  }
+  const sc_vec world = sc_turn(axes, {turning[0], turning[1], turning[2]});
+  const double momentum[4] = {world.x, world.y, world.z, 0};
+  std::copy_n(momentum, 4, particles.angular_momentum.row(row));
+}
+
+void fill_row(Particles& particles, std::size_t row, const ParticleGroup& group, double radius, double diameter,
+              const Place& x, const Place& v, const Place& w) {
+  const double mass = group.density * sphere_volume(diameter);
   double* m = particles.motion.row(row);
   double* s = particles.spin.row(row);
   for (int k = 0; k < 3; ++k) {
@@ -103,10 +141,27 @@ void write_particle(Particles& particles, std::size_t row, const ParticleGroup& 
                     const Newcomer& newcomer, const InsertionSetting& setting) {
   const bool own_spin =
       group.placement == ParticleGroup::Placement::given && group.given[newcomer.number].angular_velocity;
-  fill_row(particles, row, group, newcomer.diameter, newcomer.position,
-           start_velocity(group, index, newcomer.number, newcomer.position, setting),
-           own_spin ? *group.given[newcomer.number].angular_velocity : group.angular_velocity);
+  const Place spin = own_spin ? *group.given[newcomer.number].angular_velocity : group.angular_velocity;
+  const Form& shape = shape_of(group, newcomer.number);
+  fill_row(particles, row, group, radius_around(shape, newcomer.diameter), newcomer.diameter, newcomer.position,
+           start_velocity(group, index, newcomer.number, newcomer.position, setting), spin);
   particles.group[row] = static_cast<std::int32_t>(index);
+  if (particles.shaped())
+    fill_shape(particles, row, setting.forms, shape, orientation_of(group, index, newcomer.number, setting.seed),
+               newcomer.diameter, spin);
+}
+
+Forms forms_of(const std::vector<ParticleGroup>& groups) {
+  Forms forms{sphere_form()};
+  const auto add = [&](const Form& shape) {
+    if (std::none_of(forms.begin(), forms.end(), [&](const Form& f) { return same(f, shape); })) forms.push_back(shape);
+  };
+  for (const ParticleGroup& group : groups) {
+    add(group.shape);
+    for (const GivenParticle& given : group.given)
+      if (given.shape) add(*given.shape);
+  }
+  return forms.size() == 1 ? Forms{} : forms;
 }
 
 std::vector<double> group_diameters(const ParticleGroup& group, std::uint32_t index, std::uint64_t seed) {
@@ -125,10 +180,11 @@ Particles insert_particles(const std::vector<ParticleGroup>& groups, const Inser
   std::vector<double> radii;
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
     diameters.push_back(group_diameters(groups[g], g, setting.seed));
-    for (const double d : diameters[g]) radii.push_back(0.5 * d);
+    for (std::size_t i = 0; i < diameters[g].size(); ++i)
+      radii.push_back(radius_around(shape_of(groups[g], i), diameters[g][i]));
   }
   OccupiedSpace space(setting.domain, radii);
-  Particles particles;
+  Particles particles(!setting.forms.empty());
   particles.resize(radii.size());
   std::size_t first = 0;
   bool all_random = true;

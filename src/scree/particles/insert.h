@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "scree/data/domain.h"
+#include "scree/data/forms.h"
 #include "scree/data/particles.h"
 #include "scree/data/walls.h"
+#include "scree/particles/orientations.h"
 #include "scree/particles/sizes.h"
 
 namespace scree {
@@ -20,7 +22,9 @@ struct GivenParticle {
   std::array<double, 3> position{};                       // [m]
   std::optional<std::array<double, 3>> velocity;          // [m/s]
   std::optional<std::array<double, 3>> angular_velocity;  // [rad/s]
-  std::optional<double> diameter;                         // [m]
+  std::optional<double> diameter;                         // of the sphere of equal volume [m]
+  std::optional<sc_quat> orientation;
+  std::optional<Form> shape;
 };
 
 /// The velocity of the fluid [m/s] at a position [m].
@@ -33,8 +37,10 @@ struct ParticleGroup {
 
   std::string name;
   std::int32_t material = 0;
-  double density = 0;  // [kg/m3]
-  SizeDistribution sizes;
+  double density = 0;      // [kg/m3]
+  SizeDistribution sizes;  // of the sphere of equal volume
+  Form shape = sphere_form();
+  Orientations orientations;
   double effect_gap = 0;  // effect diameter minus body diameter [m]
   bool free = true;       // else fixed or moving as prescribed: of infinite mass
 
@@ -57,6 +63,7 @@ struct ParticleGroup {
 struct InsertionSetting {
   Domain domain;
   const Walls* walls = nullptr;
+  Forms forms;  // of all particles; empty if all are spheres
   std::uint64_t seed = 1;
   double max_overlap = 0.2;  // of the smaller radius; deeper overlaps at the start are refused
   FluidVelocity fluid;       // for groups that start with the velocity of the fluid
@@ -68,6 +75,12 @@ std::uint64_t group_count(const ParticleGroup& group);
 /// The diameters [m] of all particles of group number `index`, in the order of their numbers; as many as it has.
 /// With a solid fraction, particles are added until their volume is as near to the wanted one as it can be.
 std::vector<double> group_diameters(const ParticleGroup& group, std::uint32_t index, std::uint64_t seed);
+
+/// The sphere, and the shapes of all groups; empty if there is nothing but spheres.
+Forms forms_of(const std::vector<ParticleGroup>& groups);
+
+/// Radius of the sphere around a body of this shape, whose volume is that of a sphere of this diameter [m].
+inline double radius_around(const Form& shape, double diameter) { return 0.5 * diameter / shape.equivalent_radius; }
 
 /// A particle that is to be made: its number in its group, and where.
 struct Newcomer {

@@ -8,11 +8,12 @@
 #include "scree/base/error.h"
 #include "scree/particles/insert_region.h"
 #include "scree/particles/neighbours.h"
+#include "scree/particles/shapes.h"
 
 namespace scree {
 namespace {
 
-/// How deep a sphere is in a wall.
+/// How deep a body is in a wall.
 struct WallOverlap {
   double depth = 0;  // [m]
   std::size_t face = 0;
@@ -25,6 +26,26 @@ WallOverlap deepest_overlap(const Walls& walls, const double* position, double r
   for_each_face_near(walls, x, radius, [&](std::size_t face, const sc_wall_gap& gap) {
     if (walls.pose_of(face).present && radius - gap.distance > deepest.depth) deepest = {radius - gap.distance, face};
   });
+  return deepest;
+}
+
+/// How far particle i reaches in a direction from its centre.
+double extent(const Particles& particles, std::size_t i, const Forms& forms, const sc_vec& normal) {
+  const double radius = particles.motion.row(i)[lane::radius];
+  return is_sphere(particles, i) ? radius : sc_support_in_world(body_shape(particles, i, forms), normal).value;
+}
+
+/// The deepest overlap of particle i with the walls that are there. A face lies behind the plane across the shortest
+/// way to it, so that a shape is taken for no less deep than it is.
+WallOverlap deepest_overlap(const Walls& walls, const Particles& particles, std::size_t i, const Forms& forms) {
+  const double* m = particles.motion.row(i);
+  WallOverlap deepest;
+  for_each_face_near(walls, sc_make_vec(m[0], m[1], m[2]), m[lane::radius],
+                     [&](std::size_t face, const sc_wall_gap& gap) {
+                       if (!walls.pose_of(face).present) return;
+                       const double depth = extent(particles, i, forms, gap.normal) - gap.distance;
+                       if (depth > deepest.depth) deepest = {depth, face};
+                     });
   return deepest;
 }
 
@@ -68,13 +89,14 @@ void check_places(const Particles& particles, const std::vector<ParticleGroup>& 
       throw InputError(fmt::format("{} lies outside the box '{}'\n  = help: move the particle into the box",
                                    named(particles, i, groups),
                                    setting.walls->names[setting.walls->rooms.front().owner]));
-    const WallOverlap wall = deepest_overlap(*setting.walls, m, m[lane::radius]);
-    if (wall.depth > setting.max_overlap * m[lane::radius])
+    const WallOverlap wall = deepest_overlap(*setting.walls, particles, i, setting.forms);
+    const double radius = particles.radius_by_volume(i);
+    if (wall.depth > setting.max_overlap * radius)
       throw InputError(fmt::format(
           "{} lies {:g} m deep in the wall '{}', {:.0f} % of its radius (simulation.max_overlap allows {:.0f} %)\n"
           "  = help: move the particle or the wall",
-          named(particles, i, groups), wall.depth, setting.walls->name_of(wall.face),
-          100 * wall.depth / m[lane::radius], 100 * setting.max_overlap));
+          named(particles, i, groups), wall.depth, setting.walls->name_of(wall.face), 100 * wall.depth / radius,
+          100 * setting.max_overlap));
   }
 }
 
@@ -84,6 +106,8 @@ void check_overlaps(const Particles& particles, const std::vector<ParticleGroup>
   double deepest = 0;
   std::size_t worst = 0;
   for (std::size_t c = 0; c < near.count; ++c) {
+    // Of shapes the spheres around them say nothing.
+    if (!is_sphere(particles, near.owner[c]) || !is_sphere(particles, near.partner[c])) continue;
     const double *a = particles.motion.row(near.owner[c]), *b = particles.motion.row(near.partner[c]);
     const double overlap = a[lane::radius] + b[lane::radius] - std::sqrt(distance2(a, b, setting.domain));
     const double fraction = overlap / std::min(a[lane::radius], b[lane::radius]);

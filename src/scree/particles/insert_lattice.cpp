@@ -75,7 +75,7 @@ std::vector<std::array<double, 3>> lattice_positions(const ParticleGroup& group,
   const std::uint64_t n = diameters.size();
   if (n == 0) return {};
   const LatticeSites sites = lattice_sites(group);
-  const double largest = *std::max_element(diameters.begin(), diameters.end());
+  const double largest = 2 * radius_around(group.shape, *std::max_element(diameters.begin(), diameters.end()));
   if (n > sites.count())
     throw InputError(fmt::format(
         "particle group '{}': {} of {} particles fit on a lattice with a spacing of {:g} m in the region\n"

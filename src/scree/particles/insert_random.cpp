@@ -102,7 +102,7 @@ Range range_of_centres(const ParticleGroup& group, const Domain& domain, double 
 
 std::array<double, 3> random_place(const ParticleGroup& group, std::uint32_t index, const Newcomer& newcomer,
                                    std::uint32_t attempt, const InsertionSetting& setting) {
-  const Range range = range_of_centres(group, setting.domain, 0.5 * newcomer.diameter);
+  const Range range = range_of_centres(group, setting.domain, radius_around(group.shape, newcomer.diameter));
   const std::uint32_t stream = random_stream(Purpose::position, index);
   const auto xy = uniform_pair({setting.seed, stream, newcomer.number, 2 * attempt});
   const double z = uniform({setting.seed, stream, newcomer.number, 2 * attempt + 1});
@@ -123,7 +123,7 @@ std::vector<std::array<double, 3>> random_positions(const ParticleGroup& group, 
   std::uint64_t tries_left = group.attempts * diameters.size();
   for (std::size_t k = 0; k < order.size(); ++k) {
     const std::uint32_t i = order[k];
-    const double radius = 0.5 * diameters[i];
+    const double radius = radius_around(group.shape, diameters[i]);
     for (std::uint32_t attempt = 0;; ++attempt) {
       if (tries_left-- == 0) refuse_crowd(group, diameters, order, k);
       positions[i] = random_place(group, index, {i, diameters[i], {}}, attempt, setting);

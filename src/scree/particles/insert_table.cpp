@@ -13,9 +13,9 @@
 namespace scree {
 namespace {
 
-enum Column : int { x, y, z, vx, vy, vz, wx, wy, wz, diameter, columns };
-constexpr std::array<std::string_view, columns> column_names{"x",  "y",  "z",  "vx", "vy",
-                                                             "vz", "wx", "wy", "wz", "diameter"};
+enum Column : int { x, y, z, vx, vy, vz, wx, wy, wz, diameter, qw, qx, qy, qz, columns };
+constexpr std::array<std::string_view, columns> column_names{"x",  "y",  "z",        "vx", "vy", "vz", "wx",
+                                                             "wy", "wz", "diameter", "qw", "qx", "qy", "qz"};
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
@@ -79,6 +79,11 @@ class Table {
       if (place_[column] >= 0) fail(fmt::format("column '{}' occurs twice", names[f]), "remove one of them");
       place_[column] = static_cast<int>(f);
     }
+    int turned = 0;
+    for (const int q : {qw, qx, qy, qz}) turned += place_[q] >= 0;
+    if (turned != 0 && turned != 4)
+      fail("columns qw, qx, qy, qz must all be there, or none of them",
+           "add what is missing to the first line and to every row");
     for (const int first : {x, vx, wx}) {
       const int present = (place_[first] >= 0) + (place_[first + 1] >= 0) + (place_[first + 2] >= 0);
       if (present != 3 && (present != 0 || first == x))
@@ -116,7 +121,19 @@ class Table {
       p.diameter = number(fields[place_[diameter]], diameter);
       if (*p.diameter <= 0) fail(fmt::format("diameter {:g} is not positive", *p.diameter), "diameters are in metres");
     }
+    if (place_[qw] >= 0) p.orientation = orientation(fields);
     return p;
+  }
+
+  sc_quat orientation(const std::vector<std::string_view>& fields) const {
+    constexpr double length_tolerance = 1e-6;
+    double q[4];
+    for (int k = 0; k < 4; ++k) q[k] = number(fields[place_[qw + k]], qw + k);
+    const sc_quat out = sc_make_quat(q[0], q[1], q[2], q[3]);
+    if (std::abs(sc_quat_square(out) - 1) > length_tolerance)
+      fail(fmt::format("the quaternion ({:g}, {:g}, {:g}, {:g}) does not have the length 1", q[0], q[1], q[2], q[3]),
+           "divide qw, qx, qy, qz by the root of the sum of their squares");
+    return out;
   }
 
   std::string path_;

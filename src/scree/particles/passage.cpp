@@ -5,7 +5,7 @@
 
 #include "scree/particles/contact_state.h"
 #include "scree/particles/holdings.h"
-#include "scree/particles/sweep_move.h"
+#include "scree/particles/sweep_shape_move.h"
 #include "scree/physics/contact/law.h"
 
 namespace scree {
@@ -40,14 +40,17 @@ sc_sphere_motion motion_of(const Particles& p, std::size_t i) {
           m[lane::radius], m[lane::inverse_mass], spin[lane::inverse_radius]};
 }
 
-constexpr sc_sphere_load no_load{};
+sc_centre centre_of(const Particles& p, std::size_t i) {
+  const double* m = p.motion.row(i);
+  return {vec_of(m), vec_of(m + lane::vx), p.radius_by_volume(i), m[lane::inverse_mass]};
+}
 
 /// The velocity from which the fields lead to `wanted` within the kick of `m`. Drag depends on the velocity; where it
 /// has forgotten the start at the end of the kick, any start will do.
-sc_sphere_motion before_kick(const sc_move& m, sc_sphere_motion wanted, const sc_field& field) {
-  sc_sphere_motion start = wanted;
+sc_centre before_kick(const sc_move& m, const sc_centre& wanted, const sc_field& field) {
+  sc_centre start = wanted;
   for (int tries = 0; tries < 64; ++tries) {
-    const sc_vec reached = sc_move_sphere(m, start, no_load, field).motion.velocity;
+    const sc_vec reached = sc_move_centre(m, start, sc_zero_vec(), field).velocity;
     const sc_vec missing = sc_sub(wanted.velocity, reached);
     start.velocity = sc_add(start.velocity, missing);
     if (sc_dot(missing, missing) <= 1e-32 * sc_dot(start.velocity, start.velocity)) break;
@@ -75,9 +78,21 @@ std::vector<Parting> partings(const ParticleSystem& s, const std::vector<std::ui
   return out;
 }
 
+/// The same for bodies of any shape, of which a view of the moment is enough.
+void act_as_shapes(const SweepView& v, Parting& parting) {
+  double slot[shape_slot];
+  const std::int64_t c = static_cast<std::int64_t>(parting.pair);
+  const lane4 d = branch_of(v, v.motion + 8 * std::int64_t{v.owner[c]}, v.motion + 8 * std::int64_t{v.partner[c]});
+  SweepFindings ignored;
+  contact_of_shapes(v, c, sc_make_vec(d[0], d[1], d[2]), slot, ignored);
+  parting.owner = share_of_slot(slot, false);
+  parting.partner = share_of_slot(slot, true);
+}
+
 /// Evaluates the contact at the moment of the sample and leaves its memory there.
-void act_once_more(ParticleSystem& s, const Moment& moment, Parting& parting) {
+void act_once_more(ParticleSystem& s, const SweepView& v, const Moment& moment, Parting& parting) {
   PairContacts& k = s.contacts;
+  if (s.particles.shaped()) return act_as_shapes(v, parting);
   const std::size_t c = parting.pair;
   const std::int32_t i = k.pairs.owner[c], j = k.pairs.partner[c];
   const sc_pair_law& law = s.materials.pair(s.particles.material[i], s.particles.material[j]);
@@ -102,15 +117,34 @@ void add(Gathered& sum, const Gathered& more) {
   sum.couple += more.couple;
 }
 
+/// Gives a body of any shape that stays its share of a contact that ends.
+void push_shape_once_more(const SweepView& v, std::int64_t i, const Gathered& g) {
+  const sc_body_motion before = body_at(v, i);
+  const Push push = push_of(g);
+  const bool free_body = before.centre.inverse_mass > 0;
+  const sc_field field = free_body ? sc_field{sc_zero_vec(), sc_zero_vec()} : field_at(v, i);
+  const sc_body_moved moved = sc_move_body(v.move, before, push.force, push.torque, field);
+  book(v, i, before.centre, free_body ? Push{} : push, moved.centre, moved.prescribed_work);
+  put(v.motion + 8 * i + lane::vx, moved.centre.velocity);
+  store_rotation(v, i, moved);
+  double* loss = v.loss + 4 * i;
+  loss[0] += g.force[3];
+  loss[1] += g.turn[3];
+  loss[2] += g.couple[3];
+}
+
 /// Gives one that stays its share of a contact that ends; `v` describes a pass without forces of fields. A prescribed
 /// body needs its acceleration to know its velocity now.
 void push_once_more(const SweepView& v, Particles& p, std::size_t i, const Gathered& g) {
+  if (p.shaped()) return push_shape_once_more(v, static_cast<std::int64_t>(i), g);
   const sc_sphere_motion before = motion_of(p, i);
   const sc_sphere_load load = load_of(g);
   sc_field field{sc_zero_vec(), sc_zero_vec()};
   if (v.field && before.inverse_mass == 0) field = v.field[i];
   const sc_sphere_moved moved = sc_move_sphere(v.move, before, load, field);
-  book(v, static_cast<std::int64_t>(i), before, no_load, load, moved);
+  // The partner that leaves is no wall: one that stays and is free has nothing to book of it.
+  const Push push = before.inverse_mass > 0 ? Push{} : push_of(load, before.radius);
+  book(v, static_cast<std::int64_t>(i), sc_centre_of_sphere(before), push, moved.centre, moved.prescribed_work);
   put(p.motion.row(i) + lane::vx, moved.motion.velocity);
   put(p.spin.row(i), moved.motion.rim);
   double* loss = p.loss.row(i);
@@ -159,13 +193,13 @@ void let_in(Particles& fresh, const Domain& domain, const Moment& moment, const 
   if (!field) move.drag = SC_DRAG_NONE;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const sc_field here = field ? field[i] : sc_field{sc_zero_vec(), sc_zero_vec()};
-    const sc_sphere_motion start = before_kick(move, motion_of(p, i), here);
-    const sc_sphere_moved moved = sc_move_sphere(move, start, no_load, here);
+    const sc_centre start = before_kick(move, centre_of(p, i), here);
+    const sc_centre_moved moved = sc_move_centre(move, start, sc_zero_vec(), here);
     // What a sample will find is what it is booked with, wherever the start was not found to the last bit.
-    put(p.motion.row(i) + lane::vx, moved.motion.velocity);
+    put(p.motion.row(i) + lane::vx, moved.velocity);
     book_holdings(passage.inserted, p, i);
     put(p.motion.row(i) + lane::vx, start.velocity);
-    book(v, static_cast<std::int64_t>(i), start, no_load, no_load, moved);
+    book(v, static_cast<std::int64_t>(i), start, {}, moved, 0);
     double *work = p.work.row(i), *impulse = p.impulse.row(i), *angular = p.angular_impulse.row(i);
     for (int k = 0; k < 4; ++k) {
       work[k] = -work[k];
@@ -185,9 +219,9 @@ void let_out(ParticleSystem& s, ContactLists& lists, const std::vector<std::uint
              const sc_field* field, Passage& passage) {
   Particles& p = s.particles;
   std::vector<Parting> ending = partings(s, gone);
-  // First all forces, at the velocities that everybody has before any of these kicks.
-  for (Parting& parting : ending) act_once_more(s, moment, parting);
   const SweepView v = view_of(s, lists, moment.move, moment.time, field), bare = without_fields(v);
+  // First all forces, at the velocities that everybody has before any of these kicks.
+  for (Parting& parting : ending) act_once_more(s, v, moment, parting);
   // Each gets its contacts in the order of its partners' ids, as in a pass.
   std::map<std::int32_t, Gathered> given;
   for (const Parting& parting : ending) {
@@ -201,7 +235,11 @@ void let_out(ParticleSystem& s, ContactLists& lists, const std::vector<std::uint
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!gone[i]) continue;
     const auto found = given.find(static_cast<std::int32_t>(i));
-    move_under<AnyLaws>(v, static_cast<std::int64_t>(i), found == given.end() ? Gathered{} : found->second, ignored);
+    const Gathered g = found == given.end() ? Gathered{} : found->second;
+    if (p.shaped())
+      move_shape_under(v, static_cast<std::int64_t>(i), g, ignored);
+    else
+      move_under<AnyLaws>(v, static_cast<std::int64_t>(i), g, ignored);
     book_holdings(passage.removed, p, i);
     book_accounts(s, i, moment, passage);
     for (std::int32_t w = s.wall_contacts.first[i]; w < s.wall_contacts.first[i + 1]; ++w)

@@ -34,7 +34,7 @@ void add_outside_forces(Sample& sample, const sc_move& move, const sc_field* fie
     sc_vec push = sc_add_scaled(move.gravity, 2, sc_cross(velocity, move.rotation));  // Coriolis: -2 w x v
     if (field) {
       const sc_vec slip = sc_sub(field[i].fluid, velocity);
-      const double rate = sc_drag_rate(move.drag, sc_norm(slip), 2 * m[lane::radius], m[lane::inverse_mass],
+      const double rate = sc_drag_rate(move.drag, sc_norm(slip), 2 * p.radius_by_volume(i), m[lane::inverse_mass],
                                        move.fluid_density, move.fluid_viscosity);
       push = sc_add(sc_add_scaled(push, rate, slip), field[i].acceleration);
     }
@@ -72,7 +72,8 @@ SweepFindings sweep_apart(const ContactLists& lists, SweepView view, Sample& out
   const Candidates& pairs = out.system.contacts.pairs;
   SweepPlan plan = lists.plan;
   give_own_slots(pairs, out.system.particles, plan);
-  Buffer<double> slots(8 * pairs.count), couples(view.couples ? 4 * pairs.count : 0);
+  const std::size_t size = slot_size(out.system);
+  Buffer<double> slots(size * pairs.count), couples(view.couples ? 4 * pairs.count : 0);
   view.slot = plan.slot.data();
   view.gather_first = plan.gather_first.data();
   view.gather = plan.gather.data();
@@ -80,7 +81,7 @@ SweepFindings sweep_apart(const ContactLists& lists, SweepView view, Sample& out
   if (view.couples) view.couples = couples.data();
   const SweepFindings findings = sweep(lists.kernels, view, plan);
   out.pair_force.resize(4 * pairs.count);
-  launch(pairs.count, [&](std::size_t c) { std::copy_n(&slots[8 * c], 4, &out.pair_force[4 * c]); });
+  launch(pairs.count, [&](std::size_t c) { std::copy_n(&slots[size * c], 4, &out.pair_force[4 * c]); });
   return findings;
 }
 

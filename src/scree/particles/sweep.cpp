@@ -42,27 +42,31 @@ void merge(SweepFindings& all, const SweepFindings& part) {
   all.contacts += part.contacts;
   all.impacts += part.impacts;
   all.impact_speed += part.impact_speed;
+  all.unresolved += part.unresolved;
   all.sound = all.sound && part.sound;
   all.inside = all.inside && part.inside;
 }
 
 }  // namespace
 
-SweepKernels sweep_kernels(const sc_laws& laws, int materials) {
+SweepKernels sweep_kernels(const sc_laws& laws, int materials, bool shaped) {
   SweepKernels kernels;
   switch (chosen_isa()) {
 #ifdef SCREE_X86
     case Isa::avx512:
       kernels = sweep_kernels_avx512(laws, materials);
+      if (shaped) shape_kernels_avx512(kernels);
       kernels.name = "avx512";
       return kernels;
     case Isa::avx2:
       kernels = sweep_kernels_avx2(laws, materials);
+      if (shaped) shape_kernels_avx2(kernels);
       kernels.name = "avx2";
       return kernels;
 #endif
     default:
       kernels = sweep_kernels_baseline(laws, materials);
+      if (shaped) shape_kernels_baseline(kernels);
       kernels.name = "baseline";
       return kernels;
   }
@@ -103,6 +107,7 @@ SweepFindings agree(const Ranks& ranks, const SweepFindings& mine) {
   all.contacts = ranks.total(mine.contacts);
   all.impacts = ranks.total(mine.impacts);
   all.impact_speed = ranks.total(mine.impact_speed);
+  all.unresolved = ranks.total(mine.unresolved);
   all.sound = ranks.all(mine.sound);
   all.inside = ranks.all(mine.inside);
   return all;

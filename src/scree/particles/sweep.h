@@ -8,9 +8,9 @@
 
 namespace scree {
 
-/// The kernels for the laws, in the widest instruction set that this processor has; SCREE_ISA=baseline|avx2|avx512 in
-/// the environment asks for a narrower one (the bits are the same).
-SweepKernels sweep_kernels(const sc_laws& laws, int materials);
+/// The kernels for the laws, and for spheres or any shapes, in the widest instruction set that this processor has;
+/// SCREE_ISA=baseline|avx2|avx512 in the environment asks for a narrower one (the bits are the same).
+SweepKernels sweep_kernels(const sc_laws& laws, int materials, bool shaped = false);
 
 /// The slots of a pass.
 struct SweepSlots {

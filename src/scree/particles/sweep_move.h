@@ -31,25 +31,32 @@ namespace {
 }
 
 /// Angular impulse of uniform gravity on a free particle.
-[[gnu::always_inline]] inline sc_vec weight_turn(const SweepView& v, const sc_sphere_motion& before) {
+[[gnu::always_inline]] inline sc_vec weight_turn(const SweepView& v, const sc_centre& before) {
   return sc_cross(before.position, sc_scale(v.move.kick / before.inverse_mass, v.move.gravity));
 }
 
-/// Work and impulse of everything that is not a pair of free particles.
-inline void book(const SweepView& v, std::int64_t p, const sc_sphere_motion& before, const sc_sphere_load& walls,
-                 const sc_sphere_load& all, const sc_sphere_moved& moved) {
+/// Force [N], and torque about the centre [N m].
+struct Push {
+  sc_vec force, torque;
+};
+
+inline Push push_of(const sc_sphere_load& load, double radius) {
+  return {load.force, sc_add_scaled(load.couple, radius, load.turn)};
+}
+
+/// Work and impulse of everything that is not a pair of free particles. `push` is that of the walls on a free particle;
+/// one of infinite mass takes away what its partners lose: that of all its contacts.
+inline void book(const SweepView& v, std::int64_t p, const sc_centre& before, const Push& push,
+                 const sc_centre_moved& moved, double prescribed_work) {
   double *work = v.work + 4 * p, *impulse = v.impulse + 4 * p, *angular = v.angular_impulse + 4 * p;
   work[0] += moved.drag_work;
   work[1] += moved.body_work;
-  work[2] += moved.prescribed_work;
-  // A free particle is pushed from outside by its walls; one of infinite mass takes away what its partners lose.
+  work[2] += prescribed_work;
   const bool free_body = before.inverse_mass > 0;
   const double sign = free_body ? v.move.kick : -v.move.kick;
-  const sc_sphere_load& load = free_body ? walls : all;
   const sc_vec fields = sc_add(moved.drag_impulse, moved.body_impulse);
-  const sc_vec outside = sc_add_scaled(fields, sign, load.force);
-  const sc_vec torque = sc_add_scaled(load.couple, before.radius, load.turn);
-  sc_vec turned = sc_add_scaled(sc_cross(before.position, outside), sign, torque);
+  const sc_vec outside = sc_add_scaled(fields, sign, push.force);
+  sc_vec turned = sc_add_scaled(sc_cross(before.position, outside), sign, push.torque);
   if (v.book_gravity && free_body) turned = sc_add(turned, weight_turn(v, before));
   impulse[0] += outside.x;
   impulse[1] += outside.y;
@@ -90,6 +97,17 @@ inline void book(const SweepView& v, std::int64_t p, const sc_sphere_motion& bef
   return outside;
 }
 
+/// The law of motion for what a particle may meet: no fluid without fields.
+[[gnu::always_inline]] inline sc_move move_at(const SweepView& v) {
+  sc_move m = v.move;
+  if (!v.field) m.drag = SC_DRAG_NONE;
+  return m;
+}
+
+[[gnu::always_inline]] inline sc_field field_at(const SweepView& v, std::int64_t p) {
+  return v.field ? v.field[p] : sc_field{sc_zero_vec(), sc_zero_vec()};
+}
+
 /// sc_move_sphere with the choices of most cases folded away.
 [[gnu::always_inline]] inline sc_sphere_moved move_in_field(const sc_move& m, const sc_sphere_motion& s,
                                                             const sc_sphere_load& load, const sc_field& field) {
@@ -116,14 +134,9 @@ template <class Laws>
     g.couple += walls.couple;
   }
   const sc_sphere_load all = load_of(g);
-  sc_move m = v.move;
-  sc_field field{sc_zero_vec(), sc_zero_vec()};
-  if (v.field)
-    field = v.field[p];
-  else
-    m.drag = SC_DRAG_NONE;
-  const sc_sphere_moved moved = move_in_field(m, s, all, field);
-  book(v, p, s, load_of(walls), all, moved);
+  const sc_sphere_moved moved = move_in_field(move_at(v), s, all, field_at(v, p));
+  const Push push = push_of(s.inverse_mass > 0 ? load_of(walls) : all, s.radius);
+  book(v, p, sc_centre_of_sphere(s), push, moved.centre, moved.prescribed_work);
   return moved;
 }
 
@@ -132,13 +145,28 @@ template <class Laws>
                                                            const sc_sphere_motion& s, const Gathered& g) {
   if (v.book_gravity) {
     double* angular = v.angular_impulse + 4 * p;
-    const sc_vec turned = weight_turn(v, s);
+    const sc_vec turned = weight_turn(v, sc_centre_of_sphere(s));
     store4(angular, load4(angular) + lane4{turned.x, turned.y, turned.z, 0});
   }
   sc_move m = v.move;
   m.drag = SC_DRAG_NONE;
   m.rotation = sc_zero_vec();
   return sc_move_sphere(m, s, load_of(g), {sc_zero_vec(), sc_zero_vec()}).motion;
+}
+
+/// Writes where the centre has gone and how fast it is.
+[[gnu::always_inline]] inline void store_centre(const SweepView& v, std::int64_t p, const sc_vec& position,
+                                                const sc_vec& velocity, SweepFindings& findings) {
+  double* m = v.motion + 8 * p;
+  double x[4] = {position.x, position.y, position.z, m[3]};
+  const bool inside = (x[0] >= v.low[0]) & (x[0] < v.high[0]) & (x[1] >= v.low[1]) & (x[1] < v.high[1]) &
+                      (x[2] >= v.low[2]) & (x[2] < v.high[2]);
+  if (!inside) findings.inside = !wrap(v, p, x) && findings.inside;
+  store4(m, load4(x));
+  store4(m + 4, lane4{velocity.x, velocity.y, velocity.z, m[7]});
+  const double speed2 = sc_dot(velocity, velocity);
+  findings.fastest2 = SC_MAX(findings.fastest2, speed2);
+  findings.sound = findings.sound & (speed2 < 1e300);
 }
 
 /// Particle p moves under what its contacts with particles have given it, its walls and the fields.
@@ -155,18 +183,10 @@ template <class Laws>
   const bool alone = !v.others && !has_walls(v, p) && s.inverse_mass > 0;
   const sc_sphere_motion q = alone ? move_freely(v, p, s, g) : move_among_others<Laws>(v, p, s, g, findings).motion;
   if (v.force) store4(v.force + 4 * p, last_of(g.force, lane4{}));
-  double x[4] = {q.position.x, q.position.y, q.position.z, s.radius};
-  const bool inside = (x[0] >= v.low[0]) & (x[0] < v.high[0]) & (x[1] >= v.low[1]) & (x[1] < v.high[1]) &
-                      (x[2] >= v.low[2]) & (x[2] < v.high[2]);
-  if (!inside) findings.inside = !wrap(v, p, x) && findings.inside;
-  store4(m, load4(x));
-  store4(m + 4, lane4{q.velocity.x, q.velocity.y, q.velocity.z, s.inverse_mass});
+  store_centre(v, p, q.position, q.velocity, findings);
   store4(spin, lane4{q.rim.x, q.rim.y, q.rim.z, s.inverse_radius});
   double* loss = v.loss + 4 * p;
   store4(loss, load4(loss) + lane4{g.force[3], g.turn[3], g.couple[3], 0});
-  const double speed2 = sc_dot(q.velocity, q.velocity);
-  findings.fastest2 = SC_MAX(findings.fastest2, speed2);
-  findings.sound = findings.sound & (speed2 < 1e300);
 }
 
 template <class Laws>

@@ -8,6 +8,7 @@
 
 #include "scree/kernels/move_sphere.h"
 #include "scree/physics/contact/contact.h"
+#include "scree/physics/shape/superellipsoid.h"
 #include "scree/physics/touch/sphere_wall.h"
 
 namespace scree {
@@ -34,6 +35,19 @@ struct WallView {
   double* load;              // [contacts][8] or null, written: force on the wall x y z, moment about its pivot x y z
 };
 
+/// What particles of any shape have besides; all null in a system of spheres.
+struct ShapeView {
+  const sc_form* forms;
+  const std::int64_t* id;    // [n]: a pair is looked at from the lower
+  const std::int32_t* form;  // [n]
+  double* orientation;       // [n][4]
+  double* angular_momentum;  // [n][4]
+  const double* inertia;     // [n][4]
+};
+
+/// Numbers in a slot: of spheres, and of bodies of any shape, whose torques are not the same for both partners.
+inline constexpr int sphere_slot = 8, shape_slot = 12;
+
 struct SweepView {
   // particles
   double* motion;               // [n][8]
@@ -45,6 +59,7 @@ struct SweepView {
   double* work;             // [n][4]
   double* impulse;          // [n][4]
   double* angular_impulse;  // [n][4]
+  ShapeView shapes;
   // pairs
   const std::int32_t* first;
   const std::int32_t* owner;
@@ -58,7 +73,10 @@ struct SweepView {
   const std::int32_t* gather_first;
   const std::uint32_t* gather;
   const std::uint8_t* deferred;
-  double* slots;    // [slots][8]: force x y z on the owner, loss normal | lever * (normal x force) x y z, loss sliding
+  // Spheres: [slots][8]: force x y z on the owner, loss normal | lever * (normal x force) x y z, loss sliding.
+  // Any shape: [slots][12]: force on the owner, loss normal | torque on the owner, loss sliding | torque on the
+  // partner, loss rolling; no couples.
+  double* slots;
   double* couples;  // [slots][4]: couple x y z on the owner, loss rolling; or null
   // laws
   sc_laws laws;
@@ -86,6 +104,7 @@ struct SweepFindings {
   std::int64_t contacts = 0;      // pairs and walls that acted
   std::int64_t impacts = 0;       // pairs that began to act
   std::int64_t impact_speed = 0;  // sum of their approach speeds [speed_quantum]
+  std::int64_t unresolved = 0;    // shapes near each other, or near a wall, whose contact is not known
   bool sound = true;              // all speeds are numbers
   bool inside = true;             // nobody has left the domain
 };

@@ -119,12 +119,11 @@ inline sc_contact_state wall_state(const SweepView& v, std::int32_t w) {
   return state;
 }
 
-/// What a contact with a moving wall brings in [J], and what the wall feels.
-inline void book_wall(const AmongWalls& a, std::int32_t w, const sc_vec& position, const sc_contact_result& r) {
+/// What a contact with a moving wall brings in [J], and what the wall feels; `arm` leads from its pivot to the contact.
+inline void book_wall(const AmongWalls& a, std::int32_t w, const sc_vec& arm, const sc_contact_result& r) {
   const SweepView& v = a.v;
   const sc_wall_pose& pose = a.pose(w);
   const sc_vec force = sc_add(r.action.normal_force, r.action.tangential_force);
-  const sc_vec arm = sc_wall_arm(pose, position, a.gap(w));
   if (pose.moves) {
     const sc_vec speed = sc_wall_speed(pose, pose.velocity_now, pose.spin_now, arm, a.gap(w).normal);
     v.work[4 * a.p + 3] += v.move.kick * (sc_dot(force, speed) + sc_dot(r.action.couple, pose.spin_now));
@@ -141,6 +140,28 @@ inline double held(const sc_laws laws, const sc_pair_law& law, const sc_touch& t
   return e.elastic + e.cohesive;
 }
 
+/// Keeps what the contact remembers, if it still touches.
+[[gnu::always_inline]] inline void remember_wall(const AmongWalls& a, std::int32_t w, const sc_laws laws,
+                                                 const sc_pair_law& law, const sc_touch& touch,
+                                                 const sc_contact_result& r, SweepFindings& findings) {
+  const SweepView& v = a.v;
+  if (!r.action.touching) return forget_wall(v, w);
+  // One that is put there brings along what its contacts hold at once.
+  if (a.pose(w).changed) v.work[4 * a.p + 3] += held(laws, law, touch, r.state);
+  ++findings.contacts;
+  store4(v.walls.slide + std::int64_t{4} * w,
+         lane4{r.state.slide.x, r.state.slide.y, r.state.slide.z, r.state.approach});
+  store4(v.walls.roll + std::int64_t{4} * w, lane4{r.state.roll.x, r.state.roll.y, r.state.roll.z, r.state.twist});
+  v.walls.active[w] = contact_code(true, r.state.slid > 0);
+}
+
+/// A wall that is taken away takes along what its contacts hold.
+inline void lose_wall(const AmongWalls& a, std::int32_t w, const sc_laws laws, const sc_pair_law& law,
+                      const sc_touch& touch, const sc_contact_state& before) {
+  if (a.v.walls.active[w]) a.v.work[4 * a.p + 3] -= held(laws, law, touch, before);
+  forget_wall(a.v, w);
+}
+
 /// One contact of the particle with a wall, added to what it has gathered.
 template <class Laws>
 [[gnu::noinline]] void add_wall(const AmongWalls& a, std::int32_t w, const sc_sphere_wall& s, Gathered& g,
@@ -151,27 +172,16 @@ template <class Laws>
   if (t.touch.overlap + v.margin <= 0 && !v.walls.active[w]) return;
   const sc_pair_law& law = v.law[v.material[a.p] * v.materials + a.face(w).material];
   const sc_contact_state before = wall_state(v, w);
-  if (!a.pose(w).present) {
-    // A wall that is taken away takes along what its contacts hold.
-    if (v.walls.active[w]) v.work[4 * a.p + 3] -= held(laws, law, t.touch, before);
-    return forget_wall(v, w);
-  }
+  if (!a.pose(w).present) return lose_wall(a, w, laws, law, t.touch, before);
   const sc_contact_result r = sc_contact_act(laws, law, t.touch, v.time, before);
   const sc_vec force = sc_add(r.action.normal_force, r.action.tangential_force);
   const sc_vec turn = sc_scale(t.lever, sc_cross(t.touch.normal, r.action.tangential_force));
   g.force += lane4{force.x, force.y, force.z, r.action.loss_normal};
   g.turn += lane4{turn.x, turn.y, turn.z, r.action.loss_sliding};
   g.couple += lane4{r.action.couple.x, r.action.couple.y, r.action.couple.z, r.action.loss_rolling};
-  book_wall(a, w, s.position, r);
+  book_wall(a, w, sc_wall_arm(a.pose(w), s.position, a.gap(w)), r);
   findings.deepest = SC_MAX(findings.deepest, t.touch.overlap / s.radius);
-  if (!r.action.touching) return forget_wall(v, w);
-  // One that is put there brings along what its contacts hold at once.
-  if (a.pose(w).changed) v.work[4 * a.p + 3] += held(laws, law, t.touch, r.state);
-  ++findings.contacts;
-  store4(v.walls.slide + std::int64_t{4} * w,
-         lane4{r.state.slide.x, r.state.slide.y, r.state.slide.z, r.state.approach});
-  store4(v.walls.roll + std::int64_t{4} * w, lane4{r.state.roll.x, r.state.roll.y, r.state.roll.z, r.state.twist});
-  v.walls.active[w] = contact_code(true, r.state.slid > 0);
+  remember_wall(a, w, laws, law, t.touch, r, findings);
 }
 
 [[gnu::always_inline]] inline bool has_walls(const SweepView& v, std::int64_t p) {

@@ -99,8 +99,8 @@ void make_lists(ParticleSystem& s, ContactLists& lists, const Team& team, const 
   carry_over(walls, s.wall_contacts, place);
   s.wall_contacts = std::move(walls);
   lists.plan = plan_sweep(s.contacts.pairs, s.wall_contacts, p, team.hands(n));
-  lists.slots.slots.resize(8 * std::size_t(lists.plan.slots));
-  if (s.contacts.remembers_rolling) lists.slots.couples.resize(4 * std::size_t(lists.plan.slots));
+  lists.slots.slots.resize(slot_size(s) * std::size_t(lists.plan.slots));
+  if (s.contacts.remembers_rolling && !p.shaped()) lists.slots.couples.resize(4 * std::size_t(lists.plan.slots));
   lists.listed_at.resize(3 * n);
   for (std::size_t i = 0; i < n; ++i) std::copy_n(p.motion.row(i), 3, &lists.listed_at[3 * i]);
 }
@@ -125,11 +125,17 @@ double reach_beyond_bodies(const ParticleSystem& s) {
   return s.laws.cohesion == SC_COHESION_LINEAR ? 2 * largest_effect_excess(s.particles) : longest_neck(s);
 }
 
+std::size_t slot_size(const ParticleSystem& s) { return s.particles.shaped() ? shape_slot : sphere_slot; }
+
 double longest_range(const ParticleSystem& s) { return 2 * largest_radius(s.particles) + reach_beyond_bodies(s); }
 
 ContactLists prepare_lists(const ParticleSystem& s, double skin) {
   ContactLists lists;
-  lists.kernels = sweep_kernels(s.laws, s.materials.count());
+  lists.kernels = sweep_kernels(s.laws, s.materials.count(), s.particles.shaped());
+  for (const Form& form : s.forms) {
+    lists.shapes.resize(lists.shapes.size() + 1);
+    lists.shapes[lists.shapes.size() - 1] = form.shape;
+  }
   lists.skin = skin;
   lists.adapts = skin == 0;
   measure_reach(lists, s);
@@ -191,6 +197,13 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
   v.work = p.work.values.data();
   v.impulse = p.impulse.values.data();
   v.angular_impulse = p.angular_impulse.values.data();
+  if (p.shaped())
+    v.shapes = {lists.shapes.data(),
+                p.id.values.data(),
+                p.form.values.data(),
+                p.orientation.values.data(),
+                p.angular_momentum.values.data(),
+                p.inertia.values.data()};
   v.first = s.contacts.pairs.first.data();
   v.owner = s.contacts.pairs.owner.data();
   v.partner = s.contacts.pairs.partner.data();
@@ -205,7 +218,7 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
   v.gather = lists.plan.gather.data();
   v.deferred = lists.plan.deferred.data();
   v.slots = lists.slots.slots.data();
-  v.couples = s.contacts.remembers_rolling ? lists.slots.couples.data() : nullptr;
+  v.couples = s.contacts.remembers_rolling && !p.shaped() ? lists.slots.couples.data() : nullptr;
   v.laws = s.laws;
   v.law = s.materials.law.data();
   v.materials = s.materials.count();

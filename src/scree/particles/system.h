@@ -6,6 +6,7 @@
 
 #include "scree/compute/team.h"
 #include "scree/data/domain.h"
+#include "scree/data/forms.h"
 #include "scree/data/materials.h"
 #include "scree/data/particles.h"
 #include "scree/data/walls.h"
@@ -23,6 +24,7 @@ struct ParticleSystem {
   sc_laws laws{};
   Materials materials;
   Walls walls;
+  Forms forms;  // empty in a system of spheres
   Particles particles;
   PairContacts contacts;
   WallContacts wall_contacts;
@@ -34,6 +36,7 @@ struct ContactLists {
   SweepKernels kernels{};
   SweepPlan plan;
   SweepSlots slots;
+  Buffer<sc_form> shapes;      // of the forms
   Buffer<double> listed_at;    // [n][3]: positions when the lists were made [m]
   double skin = 0;             // [m]
   double travelled = 0;        // no particle has moved further since then [m]
@@ -65,6 +68,9 @@ void note_wall_travel(ContactLists& lists, double distance);
 /// The view of the system for a pass. `field` is what acts at each particle, or null.
 SweepView view_of(ParticleSystem& system, ContactLists& lists, const sc_move& move, const sc_contact_time& time,
                   const sc_field* field);
+
+/// Numbers in a slot of the pass over the system.
+std::size_t slot_size(const ParticleSystem& system);
 
 /// The square of the largest speed of all particles [m2/s2].
 double fastest_square(const Particles& particles);
