@@ -501,7 +501,8 @@ TEST(Build, GroupsTakeTheCaseOver) {
   c.particles[0].effect_gap = 1e-4;
   c.particles[1].motion = "fixed";
   const Domain domain{c.domain.min, c.domain.max, c.domain.periodic};
-  const Particles p = build_particles(c, domain, build_walls(c), {});
+  Forms forms;
+  const Particles p = build_particles(c, domain, build_walls(c), {}, forms);
   ASSERT_EQ(p.size(), 32u);
   EXPECT_EQ(p.effect_excess[0], 0.5e-4);
   EXPECT_EQ(p.motion.row(31)[lane::inverse_mass], 0);

@@ -95,7 +95,11 @@ struct Binder {
     if (slot.shorthand.empty()) return wrong_kind(section, key, value, "a table");
     const Key& shorthand = *find(*slot.section, slot.shorthand);
     origins.values[join(path, shorthand.name)] = value.place;
-    return read_value(*slot.section, shorthand, key.name, value, inner, problems);
+    if (!read_value(*slot.section, shorthand, key.name, value, inner, problems)) return false;
+    for (const Key& other : slot.section->keys)
+      if (&other != &shorthand && other.is_required && applies(*slot.section, other, inner))
+        missing(*slot.section, other, path);
+    return true;
   }
 
   bool nested_list(const Section& section, const Key& key, const NestedList& slot, const Value& value,
@@ -142,7 +146,8 @@ struct Binder {
     }
     for (const Key& key : section.keys) {
       bool unsure = false;  // a condition's own key could not be read
-      for (const Condition& c : key.conditions) unsure = unsure || origins.failed.contains(join(path, c.key));
+      for (const auto* conditions : {&key.conditions, &key.spared})
+        for (const Condition& c : *conditions) unsure = unsure || origins.failed.contains(join(path, c.key));
       if (unsure) continue;
       const bool in_file = find(table, key.name) != nullptr;
       const bool in_force = applies(section, key, keys);

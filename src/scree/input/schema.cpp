@@ -85,12 +85,16 @@ Json describe_key(const Section& section, const Key& key) {
   return schema;
 }
 
-/// The key is there, or the one of the condition has one of its words.
-Json required_unless(const std::string& name, const Condition& condition) {
-  const Json there = {{"required", Json::array({name})}};
-  const Json excused = {{"properties", {{condition.key, {{"enum", condition.values}}}}},
-                        {"required", Json::array({condition.key})}};
-  return {{"anyOf", Json::array({there, excused})}};
+/// The key is there, or the key of a condition excuses it: by one of its words where the required key must have none of
+/// them, by none of them where it may be left out then.
+Json required_unless(const Key& key) {
+  Json ways = Json::array({{{"required", Json::array({key.name})}}});
+  const auto excuse = [&](const Condition& c, const Json& word) {
+    ways.push_back({{"properties", {{c.key, word}}}, {"required", Json::array({c.key})}});
+  };
+  for (const Condition& c : key.conditions) excuse(c, {{"enum", c.values}});
+  for (const Condition& c : key.spared) excuse(c, {{"not", {{"enum", c.values}}}});
+  return {{"anyOf", ways}};
 }
 
 Json describe_table(const Section& section) {
@@ -98,10 +102,9 @@ Json describe_table(const Section& section) {
   Json required = Json::array();
   for (const Key& key : section.keys) {
     schema["properties"][key.name] = describe_key(section, key);
-    if (!key.spared.empty()) continue;  // required at times only
-    if (key.is_required && key.conditions.empty()) required.push_back(key.name);
+    if (key.is_required && key.conditions.empty() && key.spared.empty()) required.push_back(key.name);
     if (key.is_required && key.conditions.size() == 1 && key.conditions[0].none)
-      schema["allOf"].push_back(required_unless(key.name, key.conditions[0]));
+      schema["allOf"].push_back(required_unless(key));
   }
   if (!required.empty()) schema["required"] = required;
   return schema;

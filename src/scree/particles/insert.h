@@ -23,8 +23,8 @@ struct GivenParticle {
   std::optional<std::array<double, 3>> velocity;          // [m/s]
   std::optional<std::array<double, 3>> angular_velocity;  // [rad/s]
   std::optional<double> diameter;                         // of the sphere of equal volume [m]
-  std::optional<sc_quat> orientation;
-  std::optional<Form> shape;
+  std::optional<sc_quat> orientation{};
+  std::optional<Form> shape{};
 };
 
 /// The velocity of the fluid [m/s] at a position [m].
