@@ -26,11 +26,10 @@ void push(const Particles& p, std::vector<HardBody>& bodies, const sc_move& move
   if (!field) m.drag = SC_DRAG_NONE;
   launch(p.size(), [&](std::size_t i) {
     const double* row = p.motion.row(i);
-    const sc_sphere_motion s{vec_of(row),       bodies[i].velocity,      vec_of(p.spin.row(i)),
-                             row[lane::radius], row[lane::inverse_mass], p.spin.row(i)[lane::inverse_radius]};
+    const sc_centre c{vec_of(row), bodies[i].velocity, p.radius_by_volume(i), row[lane::inverse_mass]};
     const sc_field here = field ? field[i] : sc_field{sc_zero_vec(), sc_zero_vec()};
-    const sc_sphere_moved moved = sc_move_sphere(m, s, {}, here);
-    bodies[i].velocity = moved.motion.velocity;
+    const sc_centre_moved moved = sc_move_centre(m, c, sc_zero_vec(), here);
+    bodies[i].velocity = moved.velocity;
     given[i] = {moved.drag_impulse, moved.body_impulse};
   });
 }

@@ -13,7 +13,7 @@ struct HardPush {
 /// Carries every body for `time` [s] with its velocity. Does not put it back into the box.
 void drift(Particles& particles, const std::vector<HardBody>& bodies, double time);
 
-/// Gravity, drag and the frame's forces act for the kick of `move`, at the present places (kernels/move_sphere.h).
+/// Gravity, drag and the frame's forces act for the kick of `move`, at the present places (kernels/move_centre.h).
 /// `field` as in a pass.
 void push(const Particles& particles, std::vector<HardBody>& bodies, const sc_move& move, const sc_field* field,
           std::vector<HardPush>& given);
