@@ -17,12 +17,16 @@ namespace {
 struct KeyedPairs {
   std::vector<std::int64_t> ids;  // [contacts][2]
   std::vector<double> memory;     // [contacts][9]: slide x y z, approach, roll x y z, twist, slid
+  std::vector<double> shape;      // [contacts][6] of PairContacts::shape, or empty
 };
 
 struct KeyedWalls {
   std::vector<std::int64_t> ids;  // [contacts][2]: particle, face
   std::vector<double> memory;     // [contacts][9]
 };
+
+/// What of a row of PairContacts::shape changes bits.
+constexpr std::size_t shape_memory = 6;
 
 /// Order of rows of two numbers.
 std::vector<std::size_t> order_of(const std::vector<std::int64_t>& keys) {
@@ -34,14 +38,15 @@ std::vector<std::size_t> order_of(const std::vector<std::int64_t>& keys) {
   return order;
 }
 
-template <class Keyed>
-Keyed sorted(const Keyed& in) {
-  Keyed out;
-  for (const std::size_t k : order_of(in.ids)) {
-    out.ids.insert(out.ids.end(), &in.ids[2 * k], &in.ids[2 * k] + 2);
-    out.memory.insert(out.memory.end(), &in.memory[9 * k], &in.memory[9 * k] + 9);
-  }
-  return out;
+/// Rows of a table in another order; an empty table stays so.
+template <class T>
+void reorder(std::vector<T>& table, const std::vector<std::size_t>& order) {
+  if (table.empty()) return;
+  const std::size_t width = table.size() / order.size();
+  std::vector<T> out;
+  out.reserve(table.size());
+  for (const std::size_t k : order) out.insert(out.end(), &table[width * k], &table[width * k] + width);
+  table = std::move(out);
 }
 
 /// The memory of contact c of a list that holds pairs or walls.
@@ -63,8 +68,15 @@ KeyedPairs keyed_pairs(const ParticleSystem& s) {
     out.ids.push_back(std::min(a, b));
     out.ids.push_back(std::max(a, b));
     append_memory(out.memory, s.contacts, c, a < b ? 1 : -1);
+    if (!s.contacts.remembers_shapes) continue;
+    const double* shape = &s.contacts.shape[8 * c];
+    out.shape.insert(out.shape.end(), shape, shape + shape_memory);
   }
-  return sorted(out);
+  const std::vector<std::size_t> order = order_of(out.ids);
+  reorder(out.ids, order);
+  reorder(out.memory, order);
+  reorder(out.shape, order);
+  return out;
 }
 
 KeyedWalls keyed_walls(const ParticleSystem& s) {
@@ -76,7 +88,10 @@ KeyedWalls keyed_walls(const ParticleSystem& s) {
       out.ids.push_back(s.wall_contacts.wall[w]);
       append_memory(out.memory, s.wall_contacts, w, 1);
     }
-  return sorted(out);
+  const std::vector<std::size_t> order = order_of(out.ids);
+  reorder(out.ids, order);
+  reorder(out.memory, order);
+  return out;
 }
 
 /// -0 and 0 are the same state.
@@ -90,18 +105,20 @@ std::unordered_map<std::int64_t, std::int32_t> rows_by_id(const Particles& p) {
 }
 
 /// Pairs as lists of one contact each, ready to be carried over into real lists.
-PairContacts contacts_of(std::span<const std::int64_t> ids, std::span<const double> memory, const Particles& p,
-                         bool rolling) {
+PairContacts contacts_of(std::span<const std::int64_t> ids, std::span<const double> memory,
+                         std::span<const double> shape, const Particles& p, bool rolling) {
   const auto row = rows_by_id(p);
   const std::size_t count = ids.size() / 2;
   PairContacts out;
   out.remembers_rolling = rolling;
+  out.remembers_shapes = p.shaped();
   out.pairs.count = count;
   out.pairs.owner.resize(count);
   out.pairs.partner.resize(count);
   out.active.resize(count);
   out.slide.resize(4 * count);
   if (rolling) out.roll.resize(4 * count);
+  if (p.shaped()) out.shape.resize(8 * count);
   for (std::size_t c = 0; c < count; ++c) {
     const auto a = row.find(ids[2 * c]), b = row.find(ids[2 * c + 1]);
     if (a == row.end() || b == row.end()) throw InputError("a contact names a particle that is not there");
@@ -110,6 +127,7 @@ PairContacts contacts_of(std::span<const std::int64_t> ids, std::span<const doub
     out.active[c] = contact_code(true, memory[9 * c + 8] != 0);
     std::copy_n(&memory[9 * c], 4, &out.slide[4 * c]);
     if (rolling) std::copy_n(&memory[9 * c + 4], 4, &out.roll[4 * c]);
+    if (p.shaped()) std::copy_n(&shape[shape_memory * c], shape_memory, &out.shape[8 * c]);
   }
   return out;
 }
@@ -170,6 +188,7 @@ std::string Simulation::state_hash() const {
   const KeyedPairs pairs = keyed_pairs(system_);
   hash.update(pairs.ids.data(), pairs.ids.size() * sizeof(std::int64_t));
   add(pairs.memory.data(), static_cast<int>(pairs.memory.size()));
+  add(pairs.shape.data(), static_cast<int>(pairs.shape.size()));
   const KeyedWalls walls = keyed_walls(system_);
   hash.update(walls.ids.data(), walls.ids.size() * sizeof(std::int64_t));
   add(walls.memory.data(), static_cast<int>(walls.memory.size()));
@@ -194,6 +213,7 @@ Archive Simulation::save() const {
   KeyedPairs pairs = keyed_pairs(system_);
   out.put("pair_ids", std::move(pairs.ids), 2);
   out.put("pair_memory", std::move(pairs.memory), 9);
+  if (system_.particles.shaped()) out.put("pair_shape", std::move(pairs.shape), shape_memory);
   KeyedWalls walls = keyed_walls(system_);
   out.put("wall_ids", std::move(walls.ids), 2);
   out.put("wall_memory", std::move(walls.memory), 9);
@@ -213,8 +233,10 @@ void Simulation::restore(const Archive& archive) {
   tally_ = {archive.integer("contact_evaluations"), archive.integer("impacts"), archive.integer("impact_speed")};
   system_.particles = std::move(saved);
   system_.forms = forms_of(archive);
+  std::span<const double> pair_shape;
+  if (system_.particles.shaped()) pair_shape = archive.get<double>("pair_shape", shape_memory);
   system_.contacts = contacts_of(archive.get<std::int64_t>("pair_ids", 2), archive.get<double>("pair_memory", 9),
-                                 system_.particles, system_.contacts.remembers_rolling);
+                                 pair_shape, system_.particles, system_.contacts.remembers_rolling);
   system_.wall_contacts = walls_of(archive.get<std::int64_t>("wall_ids", 2), archive.get<double>("wall_memory", 9),
                                    system_.particles, system_.walls.size());
   lists_ = prepare_lists(system_, case_.simulation.skin);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scree/base/error.h"
+#include "scree/particles/contact_state.h"
 
 namespace scree {
 namespace {
@@ -54,14 +55,7 @@ Overlap deepest_pair(const ParticleSystem& s) {
   std::size_t a = 0, b = 0;
   for (std::size_t c = 0; c < s.contacts.pairs.count; ++c) {
     const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
-    const double *x = p.motion.row(i), *y = p.motion.row(j);
-    double d2 = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double d = s.domain.nearest(k, y[k] - x[k]);
-      d2 += d * d;
-    }
-    const double overlap = x[lane::radius] + y[lane::radius] - std::sqrt(d2);
-    const double share = overlap / std::min(x[lane::radius], y[lane::radius]);
+    const double share = overlap_of_pair(s, c) / std::min(p.radius_by_volume(i), p.radius_by_volume(j));
     if (share <= worst.share) continue;
     worst.share = share;
     a = static_cast<std::size_t>(i);
@@ -121,8 +115,8 @@ Overlap deepest_at_wall(const ParticleSystem& s) {
 /// A contact that the program cannot find is never taken for none.
 [[noreturn]] void report_unresolved(double time) {
   throw PhysicsError(
-      fmt::format("t = {:.9g} s: particles that are no spheres have come near each other, or near a wall that is no "
-                  "plane; such contacts are not there yet",
+      fmt::format("t = {:.9g} s: a particle that is no sphere has come near a wall that is no plane; such contacts "
+                  "are not there yet",
                   time));
 }
 

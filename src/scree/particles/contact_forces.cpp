@@ -6,6 +6,7 @@
 
 #include "scree/particles/contact_state.h"
 #include "scree/particles/shapes.h"
+#include "scree/physics/touch/shape_contact.h"
 
 namespace scree {
 namespace {
@@ -24,10 +25,16 @@ ContactForce of_pair(const Sample& sample, std::size_t c) {
   }
   out.first_id = s.particles.id[out.first];
   out.second_id = s.particles.id[out.second];
+  const sc_vec branch = branch_of_pair(s, c);
+  const bool swapped = out.first != s.contacts.pairs.owner[c];
+  out.branch = sc_scale(swapped ? -1 : 1, branch);
+  if (!is_sphere(s.particles, out.first) || !is_sphere(s.particles, out.second)) {
+    const sc_shape_touch touch = sc_shape_touch_from(touch_of_shapes(s, c), !swapped);
+    out.normal = touch.normal;
+    out.arm = touch.arm;
+    return out;
+  }
   const double *a = s.particles.motion.row(out.first), *b = s.particles.motion.row(out.second);
-  double branch[3];
-  for (int k = 0; k < 3; ++k) branch[k] = s.domain.nearest(k, b[k] - a[k]);
-  out.branch = vec_of(branch);
   out.normal = sc_scale(1 / sc_norm(out.branch), out.branch);
   // The arms share the distance as the radii share their sum: physics/touch/sphere_sphere.h.
   out.arm = sc_scale(a[lane::radius] / (a[lane::radius] + b[lane::radius]), out.branch);

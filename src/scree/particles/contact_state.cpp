@@ -3,6 +3,7 @@
 #include "scree/particles/shapes.h"
 #include "scree/physics/contact/law.h"
 #include "scree/physics/touch/body_plane.h"
+#include "scree/physics/touch/shape_contact.h"
 
 namespace scree {
 namespace {
@@ -23,12 +24,16 @@ sc_contact_state state_of(const Buffer<std::uint8_t>& active, const Buffer<doubl
   return s;
 }
 
-/// What the energy of a contact needs: no velocities.
+/// What the energy of a contact needs of a body: no velocities.
+sc_body_side side_of(const Particles& particles, std::size_t i) {
+  return {sc_zero_vec(), sc_zero_vec(), particles.motion.row(i)[lane::inverse_mass]};
+}
+
 sc_touch touch_of_shape_at_wall(const ParticleSystem& s, std::size_t p, std::int32_t face) {
   const double* m = s.particles.motion.row(p);
   const sc_wall_gap gap = sc_gap_to_wall(s.walls.faces[face], s.walls.pose_of(face), vec_of(m));
-  const sc_body_side body{sc_zero_vec(), sc_zero_vec(), m[lane::inverse_mass]}, wall{sc_zero_vec(), sc_zero_vec(), 0};
-  return sc_touch_at(place_of_shape_at_wall(s, p, gap), body, wall, s.particles.effect_excess[p]);
+  const sc_body_side wall{sc_zero_vec(), sc_zero_vec(), 0};
+  return sc_touch_at(place_of_shape_at_wall(s, p, gap), side_of(s.particles, p), wall, s.particles.effect_excess[p]);
 }
 
 sc_touch touch_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t face) {
@@ -51,14 +56,31 @@ sc_contact_place place_of_shape_at_wall(const ParticleSystem& s, std::size_t p, 
                            s.particles.radius_by_volume(p));
 }
 
+sc_vec branch_of_pair(const ParticleSystem& s, std::size_t c) {
+  const double* a = s.particles.motion.row(s.contacts.pairs.owner[c]);
+  const double* b = s.particles.motion.row(s.contacts.pairs.partner[c]);
+  return sc_make_vec(s.domain.nearest(0, b[0] - a[0]), s.domain.nearest(1, b[1] - a[1]),
+                     s.domain.nearest(2, b[2] - a[2]));
+}
+
+sc_shape_touch touch_of_shapes(const ParticleSystem& s, std::size_t c) {
+  const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
+  const bool owner_first = s.particles.id[i] < s.particles.id[j];
+  const sc_vec branch = branch_of_pair(s, c);
+  const sc_body_shape owner = body_shape(s.particles, i, s.forms), partner = body_shape(s.particles, j, s.forms);
+  const double* m = &s.contacts.shape[8 * c];
+  const sc_shape_touch found =
+      sc_touch_shapes(owner_first ? owner : partner, owner_first ? partner : owner,
+                      owner_first ? branch : sc_scale(-1, branch), s.contacts.active[c] != 0, {vec_of(m), m[3]});
+  return sc_shape_touch_from(found, owner_first);
+}
+
 sc_sphere_touch touch_of_pair(const ParticleSystem& s, std::size_t c) {
   const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
   const double *a = s.particles.motion.row(i), *b = s.particles.motion.row(j);
-  double d[3];
-  for (int k = 0; k < 3; ++k) d[k] = s.domain.nearest(k, b[k] - a[k]);
   const double *sa = s.particles.spin.row(i), *sb = s.particles.spin.row(j);
   sc_sphere_pair p{};
-  p.branch = vec_of(d);
+  p.branch = branch_of_pair(s, c);
   p.radii = a[lane::radius] + b[lane::radius];
   p.velocity = sc_sub(vec_of(a + lane::vx), vec_of(b + lane::vx));
   p.inverse_mass = a[lane::inverse_mass] + b[lane::inverse_mass];
@@ -69,6 +91,14 @@ sc_sphere_touch touch_of_pair(const ParticleSystem& s, std::size_t c) {
   return sc_touch_spheres(p);
 }
 
+double overlap_of_pair(const ParticleSystem& s, std::size_t c) {
+  const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
+  const double radii = s.particles.motion.row(i)[lane::radius] + s.particles.motion.row(j)[lane::radius];
+  const double of_spheres = radii - sc_norm(branch_of_pair(s, c));
+  if ((is_sphere(s.particles, i) && is_sphere(s.particles, j)) || of_spheres < 0) return of_spheres;
+  return touch_of_shapes(s, c).overlap;
+}
+
 sc_contact_state state_of_pair(const ParticleSystem& s, std::size_t c) {
   return state_of(s.contacts.active, s.contacts.slide, s.contacts.roll, c);
 }
@@ -77,7 +107,13 @@ sc_contact_energy energy_of_pair(const ParticleSystem& s, std::size_t c) {
   if (!s.contacts.active[c]) return {0, 0};
   const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
   const sc_pair_law& law = s.materials.pair(s.particles.material[i], s.particles.material[j]);
-  return sc_contact_energy_of(s.laws, law, touch_of_pair(s, c).touch, state_of_pair(s, c));
+  if (is_sphere(s.particles, i) && is_sphere(s.particles, j))
+    return sc_contact_energy_of(s.laws, law, touch_of_pair(s, c).touch, state_of_pair(s, c));
+  const sc_shape_touch found = touch_of_shapes(s, c);
+  const double *memory = &s.contacts.shape[8 * c], excess = s.particles.effect_excess[i] + s.particles.effect_excess[j];
+  const sc_contact_place place = sc_place_of_shapes(found, memory[5]);
+  const sc_touch touch = sc_touch_at(place, side_of(s.particles, i), side_of(s.particles, j), excess);
+  return sc_contact_energy_of(s.laws, sc_law_of_growth(law, memory[4] / found.support), touch, state_of_pair(s, c));
 }
 
 sc_contact_energy energy_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t w) {

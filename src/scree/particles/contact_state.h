@@ -4,12 +4,22 @@
 #include "scree/particles/system.h"
 #include "scree/physics/contact/contact.h"
 #include "scree/physics/touch/bodies.h"
+#include "scree/physics/touch/shape_shape.h"
 #include "scree/physics/touch/sphere_sphere.h"
 
 namespace scree {
 
-/// How the partners of candidate pair c meet now, seen from the owner.
+/// From the centre of the owner of candidate pair c to that of the partner, to the nearest image [m].
+sc_vec branch_of_pair(const ParticleSystem& system, std::size_t c);
+
+/// How the partners of candidate pair c, of which one is no sphere, meet now, seen from the owner.
+sc_shape_touch touch_of_shapes(const ParticleSystem& system, std::size_t c);
+
+/// How the spheres of candidate pair c meet now, seen from the owner.
 sc_sphere_touch touch_of_pair(const ParticleSystem& system, std::size_t c);
+
+/// By how much candidate pair c overlaps [m]; negative when apart.
+double overlap_of_pair(const ParticleSystem& system, std::size_t c);
 
 /// What candidate pair c remembers.
 sc_contact_state state_of_pair(const ParticleSystem& system, std::size_t c);

@@ -10,10 +10,12 @@ PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::ve
   PairContacts out;
   out.pairs = std::move(fresh);
   out.remembers_rolling = old.remembers_rolling;
+  out.remembers_shapes = old.remembers_shapes;
   const std::size_t padded = out.pairs.count + candidate_padding;
   out.active.resize(padded);
   out.slide.resize(4 * padded);
   if (out.remembers_rolling) out.roll.resize(4 * padded);
+  if (out.remembers_shapes) out.shape.resize(8 * padded);
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < old.pairs.count; ++c) {
     if (!old.active[c]) continue;
@@ -29,6 +31,7 @@ PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::ve
     out.active[to] = old.active[c];
     for (int k = 0; k < 3; ++k) out.slide[4 * to + k] = sign * old.slide[4 * c + k];
     out.slide[4 * to + 3] = old.slide[4 * c + 3];
+    if (out.remembers_shapes) std::copy_n(&old.shape[8 * c], 8, &out.shape[8 * to]);
     if (!out.remembers_rolling) continue;
     for (int k = 0; k < 3; ++k) out.roll[4 * to + k] = sign * old.roll[4 * c + k];
     out.roll[4 * to + 3] = old.roll[4 * c + 3];

@@ -35,16 +35,6 @@ std::vector<double> diameters_by_fraction(const ParticleGroup& group, std::uint3
   }
 }
 
-const Form& shape_of(const ParticleGroup& group, std::uint64_t count) {
-  const bool own = group.placement == ParticleGroup::Placement::given && group.given[count].shape;
-  return own ? *group.given[count].shape : group.shape;
-}
-
-sc_quat orientation_of(const ParticleGroup& group, std::uint32_t index, std::uint64_t count, std::uint64_t seed) {
-  const bool own = group.placement == ParticleGroup::Placement::given && group.given[count].orientation;
-  return own ? *group.given[count].orientation : draw_orientation(group.orientations, seed, index, count);
-}
-
 std::vector<Place> places_of(const ParticleGroup& group, std::uint32_t index, const std::vector<double>& diameters,
                              const InsertionSetting& setting, OccupiedSpace& space) {
   if (group.placement == ParticleGroup::Placement::random)
@@ -60,7 +50,10 @@ std::vector<Place> places_of(const ParticleGroup& group, std::uint32_t index, co
           places.back()[k] = wrapped(given.position[k], setting.domain, k);
     }
   }
-  for (std::size_t i = 0; i < places.size(); ++i) space.add(places[i], radius_around(shape_of(group, i), diameters[i]));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Newcomer newcomer{i, diameters[i], places[i]};
+    space.add(places[i], radius_around(shape_of(group, i), diameters[i]), body_of(group, index, newcomer, setting));
+  }
   return places;
 }
 
@@ -135,6 +128,16 @@ std::uint64_t group_count(const ParticleGroup& group) {
   if (group.placement == ParticleGroup::Placement::given) return group.given.size();
   if (group.placement == ParticleGroup::Placement::lattice && group.count == 0) return lattice_sites(group).count();
   return group.count;
+}
+
+const Form& shape_of(const ParticleGroup& group, std::uint64_t number) {
+  const bool own = group.placement == ParticleGroup::Placement::given && group.given[number].shape;
+  return own ? *group.given[number].shape : group.shape;
+}
+
+sc_quat orientation_of(const ParticleGroup& group, std::uint32_t index, std::uint64_t number, std::uint64_t seed) {
+  const bool own = group.placement == ParticleGroup::Placement::given && group.given[number].orientation;
+  return own ? *group.given[number].orientation : draw_orientation(group.orientations, seed, index, number);
 }
 
 void write_particle(Particles& particles, std::size_t row, const ParticleGroup& group, std::uint32_t index,

@@ -82,6 +82,10 @@ Forms forms_of(const std::vector<ParticleGroup>& groups);
 /// Radius of the sphere around a body of this shape, whose volume is that of a sphere of this diameter [m].
 inline double radius_around(const Form& shape, double diameter) { return 0.5 * diameter / shape.equivalent_radius; }
 
+/// The shape and the orientation of particle number `number` of a group.
+const Form& shape_of(const ParticleGroup& group, std::uint64_t number);
+sc_quat orientation_of(const ParticleGroup& group, std::uint32_t index, std::uint64_t number, std::uint64_t seed);
+
 /// A particle that is to be made: its number in its group, and where.
 struct Newcomer {
   std::uint64_t number = 0;

@@ -59,6 +59,18 @@ bool in_a_room(const Walls& walls, const double* position, double margin) {
   });
 }
 
+/// How deep two particles are in each other [m]; not above 0 if they are apart.
+double overlap_of(const Particles& particles, std::size_t i, std::size_t j, const InsertionSetting& setting) {
+  const double *a = particles.motion.row(i), *b = particles.motion.row(j);
+  const double overlap = a[lane::radius] + b[lane::radius] - std::sqrt(distance2(a, b, setting.domain));
+  if (overlap <= 0 || (is_sphere(particles, i) && is_sphere(particles, j))) return overlap;
+  const sc_vec branch = sc_make_vec(setting.domain.nearest(0, b[0] - a[0]), setting.domain.nearest(1, b[1] - a[1]),
+                                    setting.domain.nearest(2, b[2] - a[2]));
+  const sc_shape_touch touch =
+      sc_touch_shapes(body_shape(particles, i, setting.forms), body_shape(particles, j, setting.forms), branch, 0, {});
+  return touch.verdict == SC_GROWTH_TOUCHING ? touch.overlap : 0;
+}
+
 std::string named(const Particles& particles, std::size_t i, const std::vector<ParticleGroup>& groups) {
   const double* x = particles.motion.row(i);
   return fmt::format("particle {} (group '{}') at ({:g}, {:g}, {:g}) m", particles.id[i],
@@ -106,11 +118,9 @@ void check_overlaps(const Particles& particles, const std::vector<ParticleGroup>
   double deepest = 0;
   std::size_t worst = 0;
   for (std::size_t c = 0; c < near.count; ++c) {
-    // Of shapes the spheres around them say nothing.
-    if (!is_sphere(particles, near.owner[c]) || !is_sphere(particles, near.partner[c])) continue;
-    const double *a = particles.motion.row(near.owner[c]), *b = particles.motion.row(near.partner[c]);
-    const double overlap = a[lane::radius] + b[lane::radius] - std::sqrt(distance2(a, b, setting.domain));
-    const double fraction = overlap / std::min(a[lane::radius], b[lane::radius]);
+    const std::int32_t i = near.owner[c], j = near.partner[c];
+    const double smaller = std::min(particles.radius_by_volume(i), particles.radius_by_volume(j));
+    const double fraction = overlap_of(particles, i, j, setting) / smaller;
     if (fraction > deepest) {
       deepest = fraction;
       worst = c;

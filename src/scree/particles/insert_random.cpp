@@ -35,14 +35,28 @@ OccupiedSpace::OccupiedSpace(const Domain& domain, const std::vector<double>& ra
   spheres_.reserve(radii.size());
 }
 
-void OccupiedSpace::add(const std::array<double, 3>& position, double radius) {
+void OccupiedSpace::add(const std::array<double, 3>& position, double radius,
+                        const std::optional<sc_body_shape>& body) {
+  if (body) bodies_.push_back(*body);
   Level& level = levels_[octave(radius)];
   std::int32_t& head = level.head[level.lattice.cell(position.data())];
-  spheres_.push_back({position, radius, head});
+  spheres_.push_back({position, radius, head, body ? static_cast<std::int32_t>(bodies_.size()) - 1 : -1});
   head = static_cast<std::int32_t>(spheres_.size() - 1);
 }
 
-bool OccupiedSpace::is_free(const std::array<double, 3>& position, double radius) const {
+bool OccupiedSpace::overlap(const std::array<double, 3>& position, const sc_body_shape* body,
+                            const Sphere& sphere) const {
+  if (!body || sphere.body < 0) return true;
+  double branch[3];
+  for (std::size_t k = 0; k < 3; ++k)
+    branch[k] = domain_.nearest(static_cast<int>(k), sphere.position[k] - position[k]);
+  const sc_vec d = sc_make_vec(branch[0], branch[1], branch[2]);
+  return sc_touch_shapes(*body, bodies_[sphere.body], d, 0, {}).verdict == SC_GROWTH_TOUCHING;
+}
+
+bool OccupiedSpace::is_free(const std::array<double, 3>& position, double radius,
+                            const std::optional<sc_body_shape>& body) const {
+  const sc_body_shape* const shape = body ? &*body : nullptr;
   bool clear = true;
   for (const Level& level : levels_) {
     if (level.head.empty()) continue;
@@ -50,7 +64,8 @@ bool OccupiedSpace::is_free(const std::array<double, 3>& position, double radius
       for (std::int64_t c = c0; clear && c < c1; ++c)
         for (std::int32_t s = level.head[c]; s >= 0; s = spheres_[s].next) {
           const double range = radius + spheres_[s].radius;
-          if (distance2(position.data(), spheres_[s].position.data(), domain_) < range * range) clear = false;
+          if (distance2(position.data(), spheres_[s].position.data(), domain_) < range * range)
+            clear = clear && !overlap(position, shape, spheres_[s]);
         }
     });
     if (!clear) return false;
@@ -100,6 +115,15 @@ Range range_of_centres(const ParticleGroup& group, const Domain& domain, double 
 
 }  // namespace
 
+std::optional<sc_body_shape> body_of(const ParticleGroup& group, std::uint32_t index, const Newcomer& newcomer,
+                                     const InsertionSetting& setting) {
+  if (setting.forms.empty()) return {};
+  const Form& form = shape_of(group, newcomer.number);
+  const sc_quat orientation = orientation_of(group, index, newcomer.number, setting.seed);
+  return sc_body_shape{form.shape, radius_around(form, newcomer.diameter),
+                       sc_quat_mat(sc_quat_of_length_one(orientation))};
+}
+
 std::array<double, 3> random_place(const ParticleGroup& group, std::uint32_t index, const Newcomer& newcomer,
                                    std::uint32_t attempt, const InsertionSetting& setting) {
   const Range range = range_of_centres(group, setting.domain, radius_around(group.shape, newcomer.diameter));
@@ -124,12 +148,13 @@ std::vector<std::array<double, 3>> random_positions(const ParticleGroup& group, 
   for (std::size_t k = 0; k < order.size(); ++k) {
     const std::uint32_t i = order[k];
     const double radius = radius_around(group.shape, diameters[i]);
+    const std::optional<sc_body_shape> body = body_of(group, index, {i, diameters[i], {}}, setting);
     for (std::uint32_t attempt = 0;; ++attempt) {
       if (tries_left-- == 0) refuse_crowd(group, diameters, order, k);
       positions[i] = random_place(group, index, {i, diameters[i], {}}, attempt, setting);
-      if (clear_of_walls(setting.walls, positions[i], radius) && space.is_free(positions[i], radius)) break;
+      if (clear_of_walls(setting.walls, positions[i], radius) && space.is_free(positions[i], radius, body)) break;
     }
-    space.add(positions[i], radius);
+    space.add(positions[i], radius, body);
   }
   return positions;
 }

@@ -2,25 +2,33 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "scree/data/domain.h"
 #include "scree/particles/cell_grid.h"
 #include "scree/particles/insert.h"
+#include "scree/physics/touch/shape_shape.h"
 
 namespace scree {
 
-/// The spheres placed so far, in one cell grid per octave of radius, so that finding out whether a place is free takes
-/// the same time however many there are.
+/// A body where it is to be, for the narrow phase; empty where all are spheres.
+std::optional<sc_body_shape> body_of(const ParticleGroup& group, std::uint32_t index, const Newcomer& newcomer,
+                                     const InsertionSetting& setting);
+
+/// The bodies placed so far by the spheres around them, in one cell grid per octave of radius, so that finding out
+/// whether a place is free takes the same time however many there are.
 class OccupiedSpace {
  public:
   /// Room for spheres with these radii, all inside the box of the domain.
   OccupiedSpace(const Domain& domain, const std::vector<double>& radii);
 
-  void add(const std::array<double, 3>& position, double radius);
+  /// `body`: what is in the sphere; without it the whole sphere is taken.
+  void add(const std::array<double, 3>& position, double radius, const std::optional<sc_body_shape>& body = {});
 
-  /// True if a sphere at `position` touches none of those added.
-  bool is_free(const std::array<double, 3>& position, double radius) const;
+  /// True if a body at `position`, or without one the sphere, touches none of those added.
+  bool is_free(const std::array<double, 3>& position, double radius,
+               const std::optional<sc_body_shape>& body = {}) const;
 
  private:
   struct Level {
@@ -32,7 +40,10 @@ class OccupiedSpace {
     std::array<double, 3> position;
     double radius;
     std::int32_t next;  // in the same cell, or -1
+    std::int32_t body;  // in bodies_, or -1
   };
+
+  bool overlap(const std::array<double, 3>& position, const sc_body_shape* body, const Sphere& sphere) const;
 
   int octave(double radius) const;
 
@@ -40,6 +51,7 @@ class OccupiedSpace {
   double largest_ = 0;
   std::vector<Level> levels_;
   std::vector<Sphere> spheres_;
+  std::vector<sc_body_shape> bodies_;
 };
 
 /// Place number `attempt` [m] that is tried for a particle of group `index`: uniform over the region, the body inside.

@@ -5,6 +5,7 @@
 #include "scree/particles/sweep_walls.h"
 #include "scree/physics/rotation.h"
 #include "scree/physics/touch/body_plane.h"
+#include "scree/physics/touch/shape_contact.h"
 
 namespace scree {
 namespace {
@@ -26,14 +27,37 @@ namespace {
 
 inline bool is_sphere(const SweepView& v, std::int64_t p) { return v.shapes.form[p] == 0; }
 
-/// Where candidate c touches, seen from its owner; `branch` leads from the owner's centre to the partner's. False where
-/// that is not known.
-inline bool place_of_shapes(const SweepView& v, std::int64_t c, const sc_vec& branch, sc_contact_place& place) {
+/// Who meets in candidate c, and what the pair remembers.
+struct ShapePair {
+  std::int64_t i, j;
+  bool owner_first;  // the owner has the lower id
+  double* memory;    // PairContacts::shape
+};
+
+inline ShapePair shape_pair(const SweepView& v, std::int64_t c) {
   const std::int64_t i = v.owner[c], j = v.partner[c];
-  const double *a = v.motion + 8 * i, *b = v.motion + 8 * j;
-  place = sc_place_of_spheres(branch, a[3], b[3]);
-  return (is_sphere(v, i) && is_sphere(v, j)) || place.overlap <= 0;
+  return {i, j, v.shapes.id[i] < v.shapes.id[j], v.shapes.memory + 8 * c};
 }
+
+/// The way that the surfaces of both have gone so far [m].
+inline double way_of(const SweepView& v, const ShapePair& pair) {
+  return v.shapes.angular_momentum[4 * pair.i + 3] + v.shapes.angular_momentum[4 * pair.j + 3];
+}
+
+inline sc_shape_memory shape_memory(const double* m) { return {{vec_of(m), m[3]}, m[4], m[5]}; }
+
+inline void keep_shape_memory(double* to, const sc_shape_memory& m, double apart_until) {
+  store4(to, lane4{m.start.point.x, m.start.point.y, m.start.point.z, m.start.share});
+  store4(to + 4, lane4{m.reach, m.radius, apart_until, 0});
+}
+
+/// A contact ready for the laws.
+struct ShapeMeeting {
+  sc_contact_place place;
+  sc_pair_law law;
+  sc_shape_memory memory;  // if it goes on
+  double apart_until;      // way of both surfaces up to which they are apart
+};
 
 inline sc_contact_state shape_state(const SweepView& v, std::int64_t c) {
   sc_contact_state s;
@@ -62,47 +86,117 @@ inline void remember_shapes(const SweepView& v, std::int64_t c, const sc_contact
   if (v.roll) store4(v.roll + 4 * c, keep * lane4{s.roll.x, s.roll.y, s.roll.z, s.twist});
 }
 
-/// Evaluates candidate c and fills its slot.
-[[gnu::noinline]] void contact_of_shapes(const SweepView& v, std::int64_t c, const sc_vec& branch, double* slot,
-                                         SweepFindings& findings) {
+/// Writes what the laws made of a contact into its slot.
+inline void fill_shape_slot(double* slot, const sc_contact_place& place, const sc_contact_action& action) {
+  const sc_vec force = sc_add(action.normal_force, action.tangential_force);
+  const sc_vec on_a = sc_add(sc_cross(place.arm_a, force), action.couple);
+  const sc_vec on_b = sc_scale(-1, sc_add(sc_cross(place.arm_b, force), action.couple));
+  store4(slot, lane4{force.x, force.y, force.z, action.loss_normal});
+  store4(slot + 4, lane4{on_a.x, on_a.y, on_a.z, action.loss_sliding});
+  store4(slot + 8, lane4{on_b.x, on_b.y, on_b.z, action.loss_rolling});
+}
+
+inline void clear_slot(double* slot) {
   for (int k = 0; k < shape_slot; k += 4) store4(slot + k, lane4{});
-  const std::int64_t i = v.owner[c], j = v.partner[c];
-  sc_contact_place place;
-  if (!place_of_shapes(v, c, branch, place)) {
-    ++findings.unresolved;
+}
+
+/// A candidate with what its search needs.
+struct ShapeSearch {
+  std::int64_t c;
+  ShapePair pair;
+  bool acted;
+  double* slot;
+  sc_vec branch;                // from the owner's centre to the partner's
+  sc_body_shape first, second;  // that with the lower id is the first
+  sc_growth_pair growth;
+};
+
+inline const sc_pair_law& law_of_materials(const SweepView& v, const ShapePair& pair) {
+  return v.law[v.material[pair.i] * v.materials + v.material[pair.j]];
+}
+
+/// Evaluates the laws, fills the slot and keeps what the pair remembers.
+inline void act_as_meeting(const SweepView& v, std::int64_t c, const ShapePair& pair, const ShapeMeeting& m,
+                           double* slot, SweepFindings& findings) {
+  if (m.place.overlap + v.margin <= 0 && !v.active[c]) {
+    pair.memory[6] = m.apart_until;
     return;
   }
-  if (place.overlap + v.margin <= 0 && !v.active[c]) return;
-  const sc_body_side a = side_at(v, i), b = side_at(v, j);
-  const sc_touch touch = sc_touch_at(place, a, b, v.effect_excess[i] + v.effect_excess[j]);
-  const sc_pair_law& law = v.law[v.material[i] * v.materials + v.material[j]];
-  const sc_contact_result r = sc_contact_act(v.laws, law, touch, v.time, shape_state(v, c));
-  const sc_vec force = sc_add(r.action.normal_force, r.action.tangential_force), couple = r.action.couple;
-  const sc_vec on_a = sc_add(sc_cross(place.arm_a, force), couple);
-  const sc_vec on_b = sc_scale(-1, sc_add(sc_cross(place.arm_b, force), couple));
-  store4(slot, lane4{force.x, force.y, force.z, r.action.loss_normal});
-  store4(slot + 4, lane4{on_a.x, on_a.y, on_a.z, r.action.loss_sliding});
-  store4(slot + 8, lane4{on_b.x, on_b.y, on_b.z, r.action.loss_rolling});
-  const double smaller = SC_MIN(v.shapes.inertia[4 * i + 3], v.shapes.inertia[4 * j + 3]);
-  findings.deepest = SC_MAX(findings.deepest, place.overlap / smaller);
+  const sc_body_side a = side_at(v, pair.i), b = side_at(v, pair.j);
+  const sc_touch touch = sc_touch_at(m.place, a, b, v.effect_excess[pair.i] + v.effect_excess[pair.j]);
+  const sc_contact_result r = sc_contact_act(v.laws, m.law, touch, v.time, shape_state(v, c));
+  fill_shape_slot(slot, m.place, r.action);
+  const double smaller = SC_MIN(v.shapes.inertia[4 * pair.i + 3], v.shapes.inertia[4 * pair.j + 3]);
+  findings.deepest = SC_MAX(findings.deepest, m.place.overlap / smaller);
+  keep_shape_memory(pair.memory, r.action.touching ? m.memory : sc_shape_memory{}, m.apart_until);
   remember_shapes(v, c, r, sc_dot(touch.velocity, touch.normal), findings);
 }
 
-inline double* slot_at(const SweepView& v, std::int64_t c) { return v.slots + shape_slot * std::int64_t{v.slot[c]}; }
-
-/// All pairs [begin, end) of a tile: those whose bounding spheres are near are looked at one by one.
-inline void contacts_of_shapes(const SweepView& v, std::int32_t begin, std::int32_t end, Batch& b,
-                               SweepFindings& findings) {
-  for (std::int32_t from = begin; from < end; from += batch_size) {
-    const std::int32_t to = end - from < batch_size ? end : from + batch_size;
-    int apart = 0;
-    const int near = filter(v, from, to, b, apart);
-    for (int k = 0; k < apart; ++k)
-      for (int n = 0; n < shape_slot; n += 4) store4(slot_at(v, b.apart[k]) + n, lane4{});
-    for (int k = 0; k < near; ++k)
-      contact_of_shapes(v, b.which[k], sc_make_vec(b.bx[k], b.by[k], b.bz[k]), slot_at(v, b.which[k]), findings);
+/// Clears the slot of candidate c and prepares its search. False if there is nothing to search for: bodies that are
+/// known to be apart, and spheres, whose contact is evaluated here.
+inline bool begin_contact(const SweepView& v, std::int64_t c, const sc_vec& branch, double* slot, ShapeSearch& out,
+                          SweepFindings& findings) {
+  clear_slot(slot);
+  const ShapePair pair = shape_pair(v, c);
+  const bool acted = v.active[c] != 0;
+  if (!acted && way_of(v, pair) < pair.memory[6]) return false;
+  if (is_sphere(v, pair.i) && is_sphere(v, pair.j)) {
+    const sc_contact_place place = sc_place_of_spheres(branch, v.motion[8 * pair.i + 3], v.motion[8 * pair.j + 3]);
+    act_as_meeting(v, c, pair, {place, law_of_materials(v, pair), {}, 0}, slot, findings);
+    return false;
   }
+  out.c = c;
+  out.pair = pair;
+  out.acted = acted;
+  out.slot = slot;
+  out.branch = branch;
+  out.first = shape_at(v, pair.owner_first ? pair.i : pair.j);
+  out.second = shape_at(v, pair.owner_first ? pair.j : pair.i);
+  out.growth = sc_pair_of_shapes(out.first, out.second, sc_scale(pair.owner_first ? 1 : -1, branch));
+  return true;
 }
+
+/// Where the search begins: where it ended in the step before, for bodies that touched then.
+inline sc_growth_point start_of(const ShapeSearch& s) {
+  return s.acted ? shape_memory(s.pair.memory).start : sc_growth_cold(s.growth);
+}
+
+/// How the pair meets, by what its search has ended with.
+inline ShapeMeeting meeting_of(const SweepView& v, const ShapeSearch& s, const sc_growth_touch& ended) {
+  const sc_vec branch = sc_scale(s.pair.owner_first ? 1 : -1, s.branch);
+  const sc_shape_touch found = sc_shape_touch_of(s.first, s.second, branch, ended);
+  sc_shape_memory memory = shape_memory(s.pair.memory);
+  ShapeMeeting m;
+  m.apart_until = 0;
+  if (found.verdict != SC_GROWTH_TOUCHING) {
+    const double gap = sc_shapes_gap(s.first, s.second, branch, found.normal);
+    if (gap > 0) m.apart_until = (1 - 1e-12) * (way_of(v, s.pair) + gap);
+  } else if (!s.acted) {
+    const double* inertia = v.shapes.inertia;
+    memory = sc_shapes_meet(s.first, s.second, found, inertia[4 * s.pair.i + 3], inertia[4 * s.pair.j + 3]);
+  }
+  m.memory = memory;
+  m.memory.start = found.start;
+  m.place = sc_place_of_shapes(sc_shape_touch_from(found, s.pair.owner_first), memory.radius);
+  m.law = sc_law_of_growth(law_of_materials(v, s.pair), memory.reach > 0 ? memory.reach / found.support : 1);
+  return m;
+}
+
+[[gnu::noinline]] void finish_contact(const SweepView& v, const ShapeSearch& s, const sc_growth_touch& ended,
+                                      SweepFindings& findings) {
+  act_as_meeting(v, s.c, s.pair, meeting_of(v, s, ended), s.slot, findings);
+}
+
+/// Evaluates candidate c alone and fills its slot.
+[[gnu::noinline, maybe_unused]] void contact_of_shapes(const SweepView& v, std::int64_t c, const sc_vec& branch,
+                                                       double* slot, SweepFindings& findings) {
+  ShapeSearch s;
+  if (!begin_contact(v, c, branch, slot, s, findings)) return;
+  const sc_growth_point start = s.acted ? start_of(s) : sc_growth_point{};
+  finish_contact(v, s, sc_growth_solve(s.growth, s.acted, start), findings);
+}
+
+inline double* slot_at(const SweepView& v, std::int64_t c) { return v.slots + shape_slot * std::int64_t{v.slot[c]}; }
 
 /// What a slot gives to the owner or the partner: force, torque in place of the turn, losses in the fourth lanes. The
 /// partner feels the opposite force and its own torque; the two share the losses.

@@ -1,5 +1,6 @@
 // The pass over bodies of any shape, compiled once for each instruction set: SCREE_SHAPES_ISA names it.
 #include "scree/particles/sweep_isa.h"
+#include "scree/particles/sweep_shape_batch.h"
 #include "scree/particles/sweep_shape_move.h"
 
 namespace scree {
@@ -7,9 +8,10 @@ namespace {
 
 void advance_shapes(const SweepView& v, const std::int32_t* tiles, int count, SweepFindings& out) {
   Batch batch;
+  ShapeQueues queues;
   SweepFindings findings = out;
   for (int t = 0; t < count; ++t) {
-    contacts_of_shapes(v, v.first[tiles[t]], v.first[tiles[t + 1]], batch, findings);
+    contacts_of_shapes(v, v.first[tiles[t]], v.first[tiles[t + 1]], batch, queues, findings);
     for (std::int32_t p = tiles[t]; p < tiles[t + 1]; ++p)
       if (!v.deferred[p]) move_shape_under(v, p, gather_shape(v, p), findings);
   }

@@ -43,6 +43,7 @@ struct ShapeView {
   double* orientation;       // [n][4]
   double* angular_momentum;  // [n][4]
   const double* inertia;     // [n][4]
+  double* memory;            // [pairs][8]: PairContacts::shape
 };
 
 /// Numbers in a slot: of spheres, and of bodies of any shape, whose torques are not the same for both partners.
@@ -104,7 +105,7 @@ struct SweepFindings {
   std::int64_t contacts = 0;      // pairs and walls that acted
   std::int64_t impacts = 0;       // pairs that began to act
   std::int64_t impact_speed = 0;  // sum of their approach speeds [speed_quantum]
-  std::int64_t unresolved = 0;    // shapes near each other, or near a wall, whose contact is not known
+  std::int64_t unresolved = 0;    // shapes near a wall of which the contact is not known
   bool sound = true;              // all speeds are numbers
   bool inside = true;             // nobody has left the domain
 };

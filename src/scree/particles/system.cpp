@@ -203,7 +203,8 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
                 p.form.values.data(),
                 p.orientation.values.data(),
                 p.angular_momentum.values.data(),
-                p.inertia.values.data()};
+                p.inertia.values.data(),
+                s.contacts.shape.data()};
   v.first = s.contacts.pairs.first.data();
   v.owner = s.contacts.pairs.owner.data();
   v.partner = s.contacts.pairs.partner.data();

@@ -17,7 +17,8 @@ typedef struct {
   sc_vec normal;          // unit, from the first to the second
   real overlap;           // along the normal [m]
   real support;           // distance of the centres along the normal where they just touch [m]
-  sc_vec arm;             // contact point from the centre of the first [m]; from that of the second it is arm - branch
+  sc_vec arm;             // contact point from the centre of the first [m]
+  sc_vec arm_second;      // the same from that of the second, arm - branch
   real low, high;         // bracket of the growth distance
   sc_growth_point start;  // for the next solve: in the frame of the body that the solver takes as A
 } sc_shape_touch;
@@ -46,6 +47,7 @@ SC_FN sc_shape_touch sc_shape_touch_of(sc_body_shape first, sc_body_shape second
   out.verdict = found.verdict;
   out.normal = reversed ? sc_scale(R(-1), normal) : normal;
   out.arm = reversed ? sc_add(branch, point) : point;
+  out.arm_second = reversed ? point : sc_sub(point, branch);
   out.support = found.support;
   out.overlap = (R(1) - found.growth) * found.support;
   out.low = found.low;

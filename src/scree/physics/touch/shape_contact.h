@@ -1,0 +1,78 @@
+// The contact of two shapes as the laws see it: from a potential of the growth distance alone.
+//
+// With the overlap along the normal, (1 - growth) H, and the distance l of the centres along it where the bodies just
+// touched when they met, the laws act on the overlap (l/H)(1 - growth) H = (1 - growth) l. Its energy depends on
+// positions and orientations only, so force and torques are its derivatives and an elastic contact gives back what it
+// took (Perram and Wertheim 1985 for the growth distance). The effective radius is kept from the first touch for the
+// same reason. In the overlap along the normal the laws are as they are, with constants times powers of l/H.
+#ifndef SCREE_PHYSICS_TOUCH_SHAPE_CONTACT_H
+#define SCREE_PHYSICS_TOUCH_SHAPE_CONTACT_H
+
+#include "scree/physics/contact/contact.h"
+#include "scree/physics/touch/bodies.h"
+#include "scree/physics/touch/contact_radius.h"
+#include "scree/physics/touch/shape_shape.h"
+
+/// Bounds of the radii of curvature over the radius by volume: flat faces have infinite ones, edges none.
+#define SC_LARGEST_CURVATURE_RADIUS R(10)
+#define SC_LEAST_CURVATURE_RADIUS R(1e-4)
+
+/// What a pair of shapes remembers between steps besides what the laws do.
+typedef struct {
+  sc_growth_point start;  // where the solver ended
+  real reach;             // l [m]; 0 before the first touch
+  real radius;            // effective radius R* [m]
+} sc_shape_memory;
+
+/// How owner and partner meet, seen from the owner. The solver sees the body with the lower id first, so the result
+/// does not depend on who owns the pair.
+SC_FN sc_shape_touch sc_shape_touch_from(sc_shape_touch touch, int owner_first) {
+  sc_shape_touch out = touch;
+  if (owner_first) return out;
+  out.normal = sc_scale(R(-1), touch.normal);
+  out.arm = touch.arm_second;
+  out.arm_second = touch.arm;
+  return out;
+}
+
+/// What a pair that touches for the first time will remember. `by_volume_...`: radii by volume [m]. The radius counts
+/// the factor of elongated contacts.
+SC_FN sc_shape_memory sc_shapes_meet(sc_body_shape first, sc_body_shape second, sc_shape_touch touch, real by_volume_a,
+                                     real by_volume_b) {
+  const real least = SC_LEAST_CURVATURE_RADIUS * SC_MIN(by_volume_a, by_volume_b);
+  const real most = SC_LARGEST_CURVATURE_RADIUS * SC_MAX(by_volume_a, by_volume_b);
+  const sc_contact_radius radius = sc_contact_radius_of_bodies(first, second, touch.normal, least, most);
+  sc_shape_memory out;
+  out.start = touch.start;
+  out.reach = touch.support;
+  out.radius = radius.radius * radius.factor * radius.factor;
+  return out;
+}
+
+/// The place of the contact. Bodies that are apart or only graze each other do not overlap.
+SC_FN sc_contact_place sc_place_of_shapes(sc_shape_touch touch, real radius) {
+  sc_contact_place p;
+  p.normal = touch.normal;
+  p.overlap = touch.verdict == SC_GROWTH_TOUCHING ? touch.overlap : SC_MIN(touch.overlap, R(0));
+  p.arm_a = touch.arm;
+  p.arm_b = touch.arm_second;
+  p.radius = radius;
+  return p;
+}
+
+/// The constants of the laws for the overlap along the normal, where the potential goes with `ratio` = l/H times it: a
+/// linear spring has ratio^2 times the stiffness, Hertz's ratio^(5/2) times the modulus.
+SC_FN sc_pair_law sc_law_of_growth(sc_pair_law law, real ratio) {
+  sc_pair_law out = law;
+  out.stiffness = law.stiffness * (ratio * ratio);
+  out.young = law.young * (ratio * ratio * SC_SQRT(ratio));
+  return out;
+}
+
+/// How far apart two bodies are at least along a direction (unit, from the first to the second) [m].
+SC_FN real sc_shapes_gap(sc_body_shape first, sc_body_shape second, sc_vec branch, sc_vec normal) {
+  const real reach = sc_support_in_world(first, normal).value + sc_support_in_world(second, normal).value;
+  return sc_dot(normal, branch) - reach - R(1e-12) * (first.radius + second.radius);
+}
+
+#endif
