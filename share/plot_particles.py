@@ -10,6 +10,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize, to_rgb
 from matplotlib.patches import Patch
 
+import shapes
 import spheres
 import walls
 from plot_style import COLOURS, INK, si_scale
@@ -109,6 +110,12 @@ def has_groups(frame_path):
         return "group" in file["particles"] and len(np.unique(file["particles/group"][:])) > 1
 
 
+def shapes_of(frame):
+    """The bodies of a frame in which some are no spheres and all is there that says how they look, else None."""
+    names = ("orientation", "half_axes", "exponents")
+    return shapes.Shapes(*(frame[name].astype(float) for name in names)) if all(n in frame for n in names) else None
+
+
 def draw(frame_path, picture_path, pixels=2400, by_group=False):
     """Writes the picture; returns its path, or None where the frame has no particles or lacks a field that the picture
     needs. `pixels` are halved for it."""
@@ -126,8 +133,11 @@ def draw(frame_path, picture_path, pixels=2400, by_group=False):
     surface = walls.read_walls(pathlib.Path(frame_path))
     low, high, is_domain = frame_box(frame, surface)
     camera = spheres.Camera(low, high, *view_angles(low, high), pixels)
-    radius = 0.5 * frame["diameter"]
-    image, depth = spheres.shade(camera, frame["position"], radius, colours, floor=(low, high) if is_domain else None)
+    bodies = shapes_of(frame)
+    radius = 0.5 * frame["diameter"] if bodies is None else bodies.radius
+    image, depth = spheres.shade(
+        camera, frame["position"], radius, colours, floor=(low, high) if is_domain else None, shapes=bodies
+    )
 
     inches = np.array(image.shape[1::-1]) / DPI
     width, height = max(inches[0] + 1.25, 5.0), inches[1] + 0.5

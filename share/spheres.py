@@ -42,8 +42,9 @@ class Camera:
         return self.centre + across[:, None] * self.axes[0] + up[:, None] * self.axes[1] - depth[:, None] * self.axes[2]
 
 
-def nearest_spheres(flat, depth, radius, pixel_radius, width, height, budget=2_000_000):
-    """For each pixel the sphere that is seen (-1: none) and the depth of its surface.
+def nearest_spheres(flat, depth, radius, pixel_radius, width, height, budget=2_000_000, shapes=None, view=None):
+    """For each pixel the sphere, or the body of `shapes` in it, that is seen (-1: none) and the depth of its surface.
+    `view`: the axes of the picture, for shapes.
 
     Spheres go through in portions of similar size; within one, pixels that lose against a nearer sphere of the same
     portion are drawn again until the nearest is left.
@@ -67,7 +68,13 @@ def nearest_spheres(flat, depth, radius, pixel_radius, width, height, budget=2_0
         outside = y[:, :, None] ** 2 + x[:, None, :] ** 2
         which, j, i = np.nonzero(outside < 1)
         place = row[which, j] * width + column[which, i]
-        surface = (depth[some[which]] - radius[some[which]] * np.sqrt(1 - outside[which, j, i])).astype(np.float32)
+        if shapes is None:
+            rise = np.sqrt(1 - outside[which, j, i])
+        else:
+            rise = shapes.heights(some[which], x[which, i].astype(float), y[which, j].astype(float), view)
+            hit = ~np.isnan(rise)
+            which, place, rise = which[hit], place[hit], rise[hit]
+        surface = (depth[some[which]] - radius[some[which]] * rise).astype(np.float32)
         which = some[which].astype(np.int32)
         while len(place):
             nearer = surface < buffer[place]
@@ -103,7 +110,7 @@ def ambient_occlusion(buffer, covered, reach, pixel_reach):
 class ShadowMap:
     """What the light sees: parallel light from the direction `towards_light`."""
 
-    def __init__(self, points, radius, towards_light, pixels=2200):
+    def __init__(self, points, radius, towards_light, pixels=2200, shapes=None):
         azimuth = np.degrees(np.arctan2(towards_light[1], towards_light[0]))
         self.axes = view_axes(azimuth, np.degrees(np.arcsin(towards_light[2])))
         seen = points @ self.axes.T
@@ -113,8 +120,9 @@ class ShadowMap:
         self.low = low - 4 / self.scale
         self.width, self.height = (np.ceil((high - self.low) * self.scale) + 4).astype(int)
         self.pixel_radius = np.maximum(radius * self.scale, 0.8)
+        flat = (seen[:, :2] - self.low) * self.scale
         _, self.buffer = nearest_spheres(
-            (seen[:, :2] - self.low) * self.scale, -seen[:, 2], radius, self.pixel_radius, self.width, self.height
+            flat, -seen[:, 2], radius, self.pixel_radius, self.width, self.height, shapes=shapes, view=self.axes
         )
 
     def shade(self, points, bias, softness, looks):
@@ -130,14 +138,18 @@ class ShadowMap:
         return blocked / looks
 
 
-def shade(camera, points, radius, colours, floor=None):
+def shade(camera, points, radius, colours, floor=None, shapes=None):
     """A picture of the spheres as RGBA in [0, 1] and the depth of what is seen, infinite where nothing is; row 0 at the top.
+
+    `shapes`: the bodies in the spheres, or None where they are the spheres themselves (shapes.py).
 
     `floor`: corners (low, high) of a box on whose bottom the shadows fall, or None.
     """
     flat, depth, magnification = camera.project(points)
     pixel_radius = np.maximum(radius * magnification, 0.8)
-    owner, buffer = nearest_spheres(flat, depth, radius, pixel_radius, camera.width, camera.height)
+    owner, buffer = nearest_spheres(
+        flat, depth, radius, pixel_radius, camera.width, camera.height, shapes=shapes, view=camera.axes
+    )
     covered = owner >= 0
     rows, columns = np.nonzero(covered)
     seen = owner[rows, columns]
@@ -147,12 +159,15 @@ def shade(camera, points, radius, colours, floor=None):
     normal[:, 0] = (x - flat[seen, 0]) / pixel_radius[seen]
     normal[:, 1] = (y - flat[seen, 1]) / pixel_radius[seen]
     normal[:, 2] = np.sqrt(np.clip(1 - normal[:, 0] ** 2 - normal[:, 1] ** 2, 0, 1))
+    if shapes is not None:
+        rise = (depth[seen] - buffer[rows, columns]) / radius[seen]
+        normal = shapes.normals(seen, normal[:, 0].astype(float), normal[:, 1].astype(float), rise, camera.axes)
 
     light = np.array([-0.42, 0.62, 0.66])
     light /= np.linalg.norm(light)
     middle = light + [0, 0, 1]
     middle /= np.linalg.norm(middle)
-    map_of_light = ShadowMap(points, radius, light @ camera.axes)
+    map_of_light = ShadowMap(points, radius, light @ camera.axes, shapes=shapes)
     typical = np.median(radius[seen]) if len(seen) else radius.max()
     softness = 0.35 * np.median(map_of_light.pixel_radius) + 1
     places = camera.positions(x, y, buffer[rows, columns].astype(float))
@@ -164,7 +179,7 @@ def shade(camera, points, radius, colours, floor=None):
     direct = np.clip(normal @ light.astype(np.float32), 0, 1)
     sky = 0.5 + 0.5 * normal[:, 1]
     brightness = (0.20 + 0.22 * sky) * (1 - 0.9 * missing) + 0.72 * direct * (0.08 + 0.92 * lit) * (1 - 0.4 * missing)
-    brightness *= 0.72 + 0.28 * normal[:, 2] ** 0.5  # darker rims keep neighbours apart
+    brightness *= 0.72 + 0.28 * np.clip(normal[:, 2], 0, 1) ** 0.5  # darker rims keep neighbours apart
     gloss = 0.16 * np.clip(normal @ middle.astype(np.float32), 0, 1) ** 40 * lit
     # Light adds up in linear intensities; the colours of screens are a power of them.
     colour = (colours[seen] ** 2.2 * brightness[:, None] + gloss[:, None]) ** (1 / 2.2)

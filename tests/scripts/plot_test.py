@@ -17,6 +17,7 @@ sys.path.insert(0, str(SHARE))
 matplotlib.use("Agg")
 import plot_particles  # noqa: E402
 import plot_series  # noqa: E402
+import shapes  # noqa: E402
 import spheres  # noqa: E402
 import walls  # noqa: E402
 
@@ -183,6 +184,40 @@ class Spheres(unittest.TestCase):
         map_of_light = spheres.ShadowMap(np.array([[0.0, 0.0, 2.0]]), np.array([0.5]), np.array([0.0, 0.0, 1.0]), 400)
         below = np.array([[0.0, 0.0, 0.0], [0.4, 0.0, 0.0], [0.0, 0.0, 3.0], [0.2, 0.1, 1.2]])
         np.testing.assert_array_equal(map_of_light.shade(below, 0.01, 1, 5), [1, 1, 0, 1])
+
+class Shapes(unittest.TestCase):
+    def test_lines_of_sight_meet_the_surface_first_where_a_fine_search_says(self):
+        random = np.random.default_rng(4)
+        count = 300
+        turn = random.normal(size=(count, 4))
+        turn /= np.linalg.norm(turn, axis=1)[:, None]
+        half_axes, exponents = random.uniform(0.5, 2, (count, 3)), random.uniform(0.2, 1.6, (count, 2))
+        bodies = shapes.Shapes(turn, half_axes, exponents)
+        x, y = random.uniform(-0.8, 0.8, (2, count))
+        view = spheres.view_axes(40.0, 20.0)
+        found = bodies.heights(np.arange(count), x, y, view)
+        line = np.linspace(1, -1, 4001)
+        expected = np.full(count, np.nan)
+        for k in range(count):
+            seen = np.stack([np.full_like(line, x[k]), np.full_like(line, y[k]), line], axis=1) * bodies.radius[k]
+            own = seen @ view @ shapes.rotations(turn[k : k + 1])[0] / half_axes[k]
+            e1, e2 = exponents[k]
+            flat = (np.abs(own[:, 0]) ** (2 / e2) + np.abs(own[:, 1]) ** (2 / e2)) ** (e2 / e1)
+            inside = np.nonzero(flat + np.abs(own[:, 2]) ** (2 / e1) < 1)[0]
+            if len(inside):
+                expected[k] = line[inside[0]]
+        self.assertGreater(np.mean(np.isnan(expected)), 0.1)
+        self.assertGreater(np.mean(~np.isnan(expected)), 0.3)
+        self.assertLess(np.mean(np.isnan(found) != np.isnan(expected)), 0.01)  # some graze
+        both = ~np.isnan(found + expected)
+        self.assertLess(np.quantile(np.abs(found - expected)[both], 0.98), 5e-3)
+
+    def test_normals_of_an_ellipsoid(self):
+        bodies = shapes.Shapes(np.array([[1.0, 0, 0, 0]]), np.array([[2.0, 1.0, 0.5]]), np.ones((1, 2)))
+        place = np.array([0.6, 0.64, 0.48]) * [2.0, 1.0, 0.5] / bodies.radius[0]
+        found = bodies.normals(np.array([0]), place[:1], place[1:2], place[2:], np.eye(3))[0]
+        expected = np.array([0.6, 0.64, 0.48]) / [2.0, 1.0, 0.5]
+        np.testing.assert_allclose(found, expected / np.linalg.norm(expected), atol=1e-6)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,76 @@
+"""Superellipsoids as a picture sees them: where a line of sight meets the surface, and which way that faces."""
+
+import numpy as np
+
+LOOKS = 30
+CLOSE = 1e-3  # of a gauge
+
+
+def rotations(quaternions):
+    """Matrices from the axes of the bodies to those of space."""
+    w, x, y, z = quaternions.T
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.moveaxis(np.array(rows), -1, 0)
+
+
+def gauge(points, powers):
+    """Gauges of points over the half axes, and their gradients; `powers`: 2/e1 and 2/e2 of each."""
+    outer, inner = powers.T
+    size = np.maximum(np.abs(points), 1e-9)
+    x, y, z = size.T
+    flat = (x**inner + y**inner) ** (1 / inner)
+    value = (flat**outer + z**outer) ** (1 / outer)
+    around = (flat / value) ** (outer - 1)
+    slope = np.array([around * (x / flat) ** (inner - 1), around * (y / flat) ** (inner - 1), (z / value) ** (outer - 1)])
+    return value, slope.T * np.sign(points)
+
+
+class Shapes:
+    """The bodies of a frame."""
+
+    def __init__(self, orientation, half_axes, exponents):
+        self.turn = rotations(orientation)
+        self.half_axes = half_axes
+        self.powers = 2 / exponents
+        ways = np.array([[i, j, k] for i in range(7) for j in range(7) for k in range(7) if i + j + k], dtype=float)
+        self.radius = np.zeros(len(half_axes))  # of the sphere around each body, a little too large
+        for way in ways:
+            on_surface = way * half_axes / gauge(np.tile(way, (len(half_axes), 1)), self.powers)[0][:, None]
+            self.radius = np.maximum(self.radius, 1.03 * np.linalg.norm(on_surface, axis=1))
+        round_ones = (np.ptp(half_axes, axis=1) == 0) & np.all(exponents == 1, axis=1)
+        self.radius[round_ones] = half_axes[round_ones, 0]
+
+    def scaled_axes(self, which, view):
+        """The axes of the view in the frame of each body, over its half axes and times its radius: [bodies, 3, 3]."""
+        own = np.einsum("vk,nkb->nvb", view, self.turn[which])
+        return own * (self.radius[which, None] / self.half_axes[which])[:, None, :]
+
+    def heights(self, which, x, y, view):
+        """How far towards the viewer the lines of sight at x and y (over the radius, to the right and up from the centre)
+        meet the surface first, over the radius; nan where they miss it. Newton's method for a convex function, from outside."""
+        axes, powers = self.scaled_axes(which, view), self.powers[which]
+        base = x[:, None] * axes[:, 0] + y[:, None] * axes[:, 1]
+        height, going = np.full(len(which), 1.0), np.arange(len(which))
+        for _ in range(LOOKS):
+            value, gradient = gauge(base[going] + height[going, None] * axes[going, 2], powers[going])
+            slope = np.sum(gradient * axes[going, 2], axis=1)
+            missed = (slope <= 1e-6) & (value > 1 + CLOSE)
+            height[going[missed]] = np.nan
+            goes_on = ~missed & (value > 1 + CLOSE)
+            going, value, slope = going[goes_on], value[goes_on], slope[goes_on]
+            if len(going) == 0:
+                break
+            height[going] -= (value - 1) / slope
+        height[going] = np.nan
+        return np.where(np.abs(height) <= 1, height, np.nan)
+
+    def normals(self, which, x, y, height, view):
+        """Unit normals in the axes of the view."""
+        axes = self.scaled_axes(which, view)
+        places = x[:, None] * axes[:, 0] + y[:, None] * axes[:, 1] + height[:, None] * axes[:, 2]
+        normal = np.einsum("nb,nvb->nv", gauge(places, self.powers[which])[1], axes)
+        return (normal / np.linalg.norm(normal, axis=1)[:, None]).astype(np.float32)
