@@ -145,37 +145,43 @@ template <bool OneMaterial>
   return {load8(x + k), load8(y + k), load8(z + k), load8(w + k)};
 }
 
+/// contact_code() of contacts k to k + 7 of the batch; counts those among the first `count` that act or begin to.
+[[gnu::always_inline]] inline mask8 note_contacts(const Batch& b, int k, int count, SweepFindings& findings) {
+  const mask8 touching = load8(b.touching + k) != 0, slid = load8(b.slid + k) != 0;
+  const unsigned acts = bits_of(touching) & ((1u << count) - 1);
+  findings.contacts += __builtin_popcount(acts);
+  for (unsigned fresh = acts & ~bits_of(load8(b.acted + k) != 0); fresh; fresh &= fresh - 1) {
+    const double approach = b.approach[k + __builtin_ctz(fresh)];
+    ++findings.impacts;
+    findings.impact_speed += static_cast<std::int64_t>(approach / speed_quantum);
+  }
+  return touching & (contact_code(true, false) + (slid & (contact_code(true, true) - contact_code(true, false))));
+}
+
 /// Writes forces into slots and memory back to the pairs.
 [[gnu::always_inline]] inline void store(const SweepView& v, const sc_laws laws, const Batch& b, int near,
                                          SweepFindings& findings) {
   const bool rolls = law_rolls(laws);
+  lane8 deepest{};
   for (int k = 0; k < near; k += 8) {
     lane4 force[8], turn[8], slide[8];
     rows_of(take(b.fx, b.fy, b.fz, b.loss_normal, k), force);
     rows_of(take(b.gx, b.gy, b.gz, b.loss_sliding, k), turn);
     rows_of(take(b.qx, b.qy, b.qz, b.qv, k), slide);
+    const lane8 depth = load8(b.depth + k);
+    deepest = depth > deepest ? depth : deepest;
     const int count = near - k < 8 ? near - k : 8;
+    const mask8 code = note_contacts(b, k, count, findings);
     for (int l = 0; l < count; ++l) {
       const std::int64_t c = b.which[k + l], s = v.slot[c];
       store4(v.slots + 8 * s, force[l]);
       store4(v.slots + 8 * s + 4, turn[l]);
       store4(v.slide + 4 * c, slide[l]);
-      const bool touching = b.touching[k + l] != 0;
-      findings.contacts += touching;
-      if (touching && !v.active[c]) {
-        ++findings.impacts;
-        findings.impact_speed += static_cast<std::int64_t>(b.approach[k + l] / speed_quantum);
-      }
-      v.active[c] = contact_code(touching, b.slid[k + l] != 0);
+      v.active[c] = static_cast<std::uint8_t>(code[l]);
       if (!rolls) continue;
       store4(v.couples + 4 * s, lane4{b.cx[k + l], b.cy[k + l], b.cz[k + l], b.loss_rolling[k + l]});
       store4(v.roll + 4 * c, lane4{b.px[k + l], b.py[k + l], b.pz[k + l], b.twist[k + l]});
     }
-  }
-  lane8 deepest{};
-  for (int k = 0; k < near; k += 8) {
-    const lane8 depth = load8(b.depth + k);
-    deepest = depth > deepest ? depth : deepest;
   }
   for (int l = 0; l < 8; ++l) findings.deepest = SC_MAX(findings.deepest, deepest[l]);
 }

@@ -22,7 +22,8 @@ typedef struct {
 ///
 /// The spring loses its part along the normal and regains its old length. `growing` says that the tangential stiffness
 /// goes with the square root of `depth`, an overlap. Both need a square root of a ratio q near 1; (1 + 3 q)/(3 + q) is
-/// wrong by (q - 1)^3/32 only (3e-14 for a turn of 0.01 rad) and lets both and the span share one division. At the
+/// wrong by (q - 1)^3/32 only (3e-14 for a turn of 0.01 rad) and lets both and the span share one division. Of the
+/// spring's squared length before the turn, `lost` is what goes: q = before/(before - lost). At the
 /// first touch the stiffness grows from 0 (`hold` 1/3 makes its mean 2/3 of it), but from a part of it with adhesion.
 /// `bonded`: the contact cannot begin now.
 SC_FN sc_contact_memory sc_remember(sc_touch t, sc_contact_time time, sc_contact_state s, int growing, real depth,
@@ -34,19 +35,21 @@ SC_FN sc_contact_memory sc_remember(sc_touch t, sc_contact_time time, sc_contact
   // touching. One comparison stands for both, because loops with mixed flags do not vectorise.
   const real least = R(1e-9) * SC_MAX(out.approach, R(0)) * time.kick;
   out.begins = (bonded ? R(0) : SC_MIN(t.overlap - least, advance + least - t.overlap)) > R(0);
-  const sc_vec turned = sc_reject(s.slide, t.normal);
-  const real before = sc_dot(s.slide, s.slide);
-  const real after = sc_dot(turned, turned);
-  const real length = after > SC_TINY ? R(3) * after + before : R(1);
+  const real along = sc_dot(s.slide, t.normal);
+  const sc_vec turned = sc_add_scaled(s.slide, -along, t.normal);
+  const real lost = along * along;
+  const real four = R(4) * sc_dot(s.slide, s.slide);
+  const real length = four > SC_TINY ? four - R(3) * lost : R(1);
   const real closing = SC_MIN(advance, depth);
   const real growth = growing ? R(4) * depth - closing : R(1);
-  const real both = out.begins ? R(0) : length * growth;
-  const real inverse = R(1) / (both + (out.begins ? out.approach * time.kick : R(0)));
-  const int kept = both > SC_TINY;
+  const real both = length * growth;
+  const real divisor = out.begins ? out.approach * time.kick : both;
+  const real inverse = R(1) / divisor;
+  const int kept = (out.begins ? R(0) : both) > SC_TINY;
   out.span = out.begins ? t.overlap * inverse * time.kick : time.dt;
   out.weight = out.begins ? (t.overlap + out.approach * (time.kick - time.lead)) * inverse
                           : ((bonded ? R(1) : t.overlap - least) > R(0) ? R(1) : R(0));
-  out.slide = sc_scale(kept ? (after + R(3) * before) * growth * inverse : R(0), turned);
+  out.slide = sc_scale(kept ? (four - lost) * growth * inverse : R(0), turned);
   const real fresh = t.overlap < depth ? R(1) : R(1.0 / 3.0);
   const real held = kept ? (R(4) * depth - R(3) * closing) * length * inverse : (out.begins ? fresh : R(1));
   out.hold = growing ? held : R(1);

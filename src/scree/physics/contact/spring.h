@@ -30,8 +30,9 @@ typedef struct {
 
 /// The force of the element, its new stretch and the energy that it turned into heat.
 ///
-/// The dashpot uses the velocity at the time of the positions, predicted with the element's own force. Beyond the limit
-/// force and stretch shrink by the same factor, so a sliding spring never gains energy, however strong the dashpot.
+/// The dashpot uses the velocity at the time of the positions, predicted with the element's own force:
+/// v' = v - lead (k x + c v')/m makes the pull k x + c v' = (k x + c v) m/(m + c lead). Beyond the limit force and
+/// stretch shrink by the same factor, so a sliding spring never gains energy, however strong the dashpot.
 ///
 /// Where the stiffness grows, the force stays and the stretch shrinks; where it falls, the stretch stays and the force
 /// shrinks: no cycle gains energy (Elata and Berryman 1996).
@@ -40,27 +41,30 @@ typedef struct {
 /// summed over a contact it is exactly what the kicks of the leapfrog take out. A spring that passes zero within a step
 /// could seem to gain a little: that counts as nothing. The dashpot's part goes with the velocity in the middle between
 /// the two evaluations, which is known whatever else acts on the bodies; once the spring slides, with the dashpot's own
-/// share of the limited force.
+/// share of the limited force. All works follow from three products: stretch and velocity span everything here.
 SC_FN sc_spring_action sc_pull_spring(sc_spring s, sc_contact_time time) {
   sc_spring_action out;
-  const sc_vec motion = sc_scale(s.span, s.velocity);
   const real loading = s.passive ? SC_MIN(s.hold, R(1)) : R(1);
-  const sc_vec trial = sc_add_scaled(sc_scale(loading, s.stretch), R(0.5) * (R(1) + loading), motion);
-  const real damped = s.mass + s.damping * time.lead;
-  const real inverse = R(1) / (s.mass * damped);
-  const sc_vec free = sc_add_scaled(sc_scale(s.mass, s.velocity), -time.lead * s.stiffness, trial);
-  const sc_vec synchronised = sc_scale(s.mass * inverse, free);
-  const sc_vec pull = sc_add_scaled(sc_scale(s.stiffness, trial), s.damping, synchronised);
+  const real way = R(0.5) * (R(1) + loading) * s.span;
+  const sc_vec trial = sc_add_scaled(sc_scale(loading, s.stretch), way, s.velocity);
+  const real inverse = R(1) / (s.mass + s.damping * time.lead);
+  const real left = s.mass * inverse;
+  const sc_vec pull = sc_add_scaled(sc_scale(left * s.stiffness, trial), left * s.damping, s.velocity);
   const real size = SC_SQRT(sc_dot(pull, pull));
   out.slides = size > s.sticking;
   const real share = out.slides ? s.sliding / size : R(1);
+  const real kept = s.sticking > R(0) ? share : R(0);  // what cannot hold does not stretch
   out.force = sc_scale(-share, pull);
-  out.stretch = sc_scale(s.sticking > R(0) ? share : R(0), trial);      // what cannot hold does not stretch
-  const sc_vec forces = sc_add_scaled(out.stretch, s.hold, s.stretch);  // before and after, over the stiffness
-  const real gain = sc_dot(out.stretch, out.stretch) - s.hold * sc_dot(s.stretch, s.stretch);
-  const real spring_loss = R(0.5) * s.stiffness * (sc_dot(forces, motion) - gain);
-  const sc_vec middle = out.slides ? synchronised : s.velocity;
-  const real loss = spring_loss + share * s.drained * sc_dot(middle, s.velocity);
+  out.stretch = sc_scale(kept, trial);
+  const real stretch2 = sc_dot(s.stretch, s.stretch);
+  const real along = sc_dot(s.stretch, s.velocity);
+  const real speed2 = sc_dot(s.velocity, s.velocity);
+  const real trial_along = loading * along + way * speed2;
+  const real trial2 = loading * (loading * stretch2 + way * along) + way * trial_along;
+  const real work = s.span * (kept * trial_along + s.hold * along);  // before and after, over half the stiffness
+  const real gain = kept * kept * trial2 - s.hold * stretch2;
+  const real middle = out.slides ? inverse * (s.mass * speed2 - time.lead * s.stiffness * trial_along) : speed2;
+  const real loss = R(0.5) * s.stiffness * (work - gain) + share * s.drained * middle;
   out.loss = s.passive ? SC_MAX(loss, R(0)) : loss;
   return out;
 }

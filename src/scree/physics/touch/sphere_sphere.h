@@ -28,17 +28,18 @@ typedef struct {
 /// finite.
 SC_FN sc_sphere_touch sc_touch_spheres(sc_sphere_pair p) {
   sc_sphere_touch out;
-  const real distance = SC_SQRT(sc_dot(p.branch, p.branch));
+  const real square = sc_dot(p.branch, p.branch);
+  const real distance = SC_SQRT(square);
   const real lengths = distance * p.radii;
   const real inverses = p.inverse_mass * p.inverse_radius;
   const real quotient = R(1) / (lengths * inverses);
   const real per_lengths = quotient * inverses;
   const real per_inverses = quotient * lengths;
-  out.lever = distance * distance * per_lengths;
+  out.lever = square * per_lengths;
   out.touch.normal = sc_scale(p.radii * per_lengths, p.branch);
   out.touch.overlap = p.radii - distance;
   out.touch.reach = out.touch.overlap + p.excess;
-  out.touch.velocity = sc_add_scaled(p.velocity, out.lever, sc_cross(p.rim_speed, out.touch.normal));
+  out.touch.velocity = sc_add_scaled(p.velocity, distance * per_lengths, sc_cross(p.rim_speed, p.branch));
   out.touch.spin = p.spin;
   out.touch.mass = p.inverse_radius * per_inverses;
   out.touch.radius = p.inverse_mass * per_inverses;
