@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 #include <unordered_map>
 
 #include "scree/app/simulation.h"
@@ -23,6 +24,7 @@ struct KeyedPairs {
 struct KeyedWalls {
   std::vector<std::int64_t> ids;  // [contacts][2]: particle, face
   std::vector<double> memory;     // [contacts][9]
+  std::vector<double> shape;      // [contacts][wall_scratch] with shapes, else empty
 };
 
 /// What of a row of PairContacts::shape changes bits.
@@ -33,7 +35,8 @@ std::vector<std::size_t> order_of(const std::vector<std::int64_t>& keys) {
   std::vector<std::size_t> order(keys.size() / 2);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::pair(keys[2 * a], keys[2 * a + 1]) < std::pair(keys[2 * b], keys[2 * b + 1]);
+    // Several places of one face stay in their order.
+    return std::tuple(keys[2 * a], keys[2 * a + 1], a) < std::tuple(keys[2 * b], keys[2 * b + 1], b);
   });
   return order;
 }
@@ -87,10 +90,14 @@ KeyedWalls keyed_walls(const ParticleSystem& s) {
       out.ids.push_back(s.particles.id[p]);
       out.ids.push_back(s.wall_contacts.wall[w]);
       append_memory(out.memory, s.wall_contacts, w, 1);
+      if (s.wall_contacts.shape.empty()) continue;
+      const double* shape = &s.wall_contacts.shape[wall_memory * std::size_t(w)];
+      out.shape.insert(out.shape.end(), shape, shape + wall_scratch);
     }
   const std::vector<std::size_t> order = order_of(out.ids);
   reorder(out.ids, order);
   reorder(out.memory, order);
+  reorder(out.shape, order);
   return out;
 }
 
@@ -132,8 +139,8 @@ PairContacts contacts_of(std::span<const std::int64_t> ids, std::span<const doub
   return out;
 }
 
-WallContacts walls_of(std::span<const std::int64_t> ids, std::span<const double> memory, const Particles& p,
-                      std::size_t faces) {
+WallContacts walls_of(std::span<const std::int64_t> ids, std::span<const double> memory, std::span<const double> shape,
+                      const Particles& p, std::size_t faces) {
   const auto row = rows_by_id(p);
   std::vector<std::vector<std::size_t>> mine(p.size());
   for (std::size_t c = 0; c < ids.size() / 2; ++c) {
@@ -149,6 +156,7 @@ WallContacts walls_of(std::span<const std::int64_t> ids, std::span<const double>
   out.slide.resize(2 * ids.size());
   out.roll.resize(2 * ids.size());
   out.gap.resize(ids.size() / 2);
+  if (!shape.empty()) out.shape.resize(wall_memory * (ids.size() / 2));
   std::int32_t next = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     for (const std::size_t c : mine[i]) {
@@ -156,6 +164,8 @@ WallContacts walls_of(std::span<const std::int64_t> ids, std::span<const double>
       out.active[next] = contact_code(true, memory[9 * c + 8] != 0);
       std::copy_n(&memory[9 * c], 4, &out.slide[4 * std::size_t(next)]);
       std::copy_n(&memory[9 * c + 4], 4, &out.roll[4 * std::size_t(next)]);
+      if (!shape.empty())
+        std::copy_n(&shape[wall_scratch * c], wall_scratch, &out.shape[wall_memory * std::size_t(next)]);
       ++next;
     }
     out.first[i + 1] = next;
@@ -192,6 +202,7 @@ std::string Simulation::state_hash() const {
   const KeyedWalls walls = keyed_walls(system_);
   hash.update(walls.ids.data(), walls.ids.size() * sizeof(std::int64_t));
   add(walls.memory.data(), static_cast<int>(walls.memory.size()));
+  add(walls.shape.data(), static_cast<int>(walls.shape.size()));
   return hash.hex();
 }
 
@@ -217,6 +228,7 @@ Archive Simulation::save() const {
   KeyedWalls walls = keyed_walls(system_);
   out.put("wall_ids", std::move(walls.ids), 2);
   out.put("wall_memory", std::move(walls.memory), 9);
+  if (p.shaped()) out.put("wall_shape", std::move(walls.shape), wall_scratch);
   exchange_.save(out);
   return out;
 }
@@ -237,8 +249,10 @@ void Simulation::restore(const Archive& archive) {
   if (system_.particles.shaped()) pair_shape = archive.get<double>("pair_shape", shape_memory);
   system_.contacts = contacts_of(archive.get<std::int64_t>("pair_ids", 2), archive.get<double>("pair_memory", 9),
                                  pair_shape, system_.particles, system_.contacts.remembers_rolling);
+  const bool shaped = system_.particles.shaped();
+  const auto of_shapes = shaped ? archive.get<double>("wall_shape", wall_scratch) : std::span<const double>();
   system_.wall_contacts = walls_of(archive.get<std::int64_t>("wall_ids", 2), archive.get<double>("wall_memory", 9),
-                                   system_.particles, system_.walls.size());
+                                   of_shapes, system_.particles, system_.walls.size());
   lists_ = prepare_lists(system_, case_.simulation.skin);
   findings_.fastest2 = fastest_square(system_.particles);
   sampled_step_ = -1;

@@ -7,6 +7,7 @@
 
 #include "scree/base/error.h"
 #include "scree/particles/contact_state.h"
+#include "scree/particles/shapes.h"
 
 namespace scree {
 namespace {
@@ -71,6 +72,11 @@ double share_of(const ParticleSystem& s, std::size_t particle, std::int32_t c) {
   const double* m = s.particles.motion.row(particle);
   const sc_vec x = sc_make_vec(m[lane::x], m[lane::y], m[lane::z]);
   if (!s.walls.pose_of(face).present) return -1;
+  if (!is_sphere(s.particles, particle)) {
+    // As the last pass saw it.
+    const double* shape = &s.wall_contacts.shape[wall_memory * std::size_t(c)];
+    return s.wall_contacts.active[c] ? shape[wall_scratch + 1] / s.particles.radius_by_volume(particle) : -1;
+  }
   return 1 - sc_gap_to_wall(s.walls.faces[face], s.walls.pose_of(face), x).distance / m[lane::radius];
 }
 
@@ -112,14 +118,6 @@ Overlap deepest_at_wall(const ParticleSystem& s) {
                   (wall.share > pair.share ? wall : pair).reason));
 }
 
-/// A contact that the program cannot find is never taken for none.
-[[noreturn]] void report_unresolved(double time) {
-  throw PhysicsError(
-      fmt::format("t = {:.9g} s: a particle that is no sphere has come near a wall that is no plane; such contacts "
-                  "are not there yet",
-                  time));
-}
-
 }  // namespace
 
 void guard_stride(const ParticleSystem& s, double stride, double dt, double time) {
@@ -156,8 +154,7 @@ void guard_fields(const Particles& particles, const Buffer<sc_field>& field, dou
 }
 
 void guard_step(const ParticleSystem& system, const SweepFindings& findings, double max_overlap, double time) {
-  if (findings.sound && findings.inside && findings.deepest <= max_overlap && findings.unresolved == 0) return;
-  if (findings.unresolved > 0) report_unresolved(time);
+  if (findings.sound && findings.inside && findings.deepest <= max_overlap) return;
   if (!findings.sound) report_unsound(system.particles, time);
   if (findings.deepest > max_overlap) report_deep(system, findings.deepest, max_overlap, time);
   report_lost(system, time);

@@ -51,7 +51,7 @@ ContactForce of_wall(const Sample& sample, std::int32_t p, std::int32_t w) {
   out.normal = s.wall_contacts.gap[w].normal;
   out.arm = out.branch = sc_scale(s.wall_contacts.gap[w].distance, out.normal);
   if (!is_sphere(s.particles, static_cast<std::size_t>(p)))
-    out.arm = place_of_shape_at_wall(s, static_cast<std::size_t>(p), s.wall_contacts.gap[w]).arm_a;
+    out.arm = out.branch = vec_of(&s.wall_contacts.shape[wall_memory * std::size_t(w) + 4]);
   out.force = sc_scale(-1, vec_of(&sample.wall_load[8 * std::size_t(w)]));
   return out;
 }

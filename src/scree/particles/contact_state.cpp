@@ -2,7 +2,7 @@
 
 #include "scree/particles/shapes.h"
 #include "scree/physics/contact/law.h"
-#include "scree/physics/touch/body_plane.h"
+#include "scree/physics/touch/body_wall.h"
 #include "scree/physics/touch/shape_contact.h"
 
 namespace scree {
@@ -29,15 +29,7 @@ sc_body_side side_of(const Particles& particles, std::size_t i) {
   return {sc_zero_vec(), sc_zero_vec(), particles.motion.row(i)[lane::inverse_mass]};
 }
 
-sc_touch touch_of_shape_at_wall(const ParticleSystem& s, std::size_t p, std::int32_t face) {
-  const double* m = s.particles.motion.row(p);
-  const sc_wall_gap gap = sc_gap_to_wall(s.walls.faces[face], s.walls.pose_of(face), vec_of(m));
-  const sc_body_side wall{sc_zero_vec(), sc_zero_vec(), 0};
-  return sc_touch_at(place_of_shape_at_wall(s, p, gap), side_of(s.particles, p), wall, s.particles.effect_excess[p]);
-}
-
 sc_touch touch_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t face) {
-  if (!is_sphere(s.particles, p)) return touch_of_shape_at_wall(s, p, face);
   const double* m = s.particles.motion.row(p);
   sc_sphere_wall w{};
   w.position = vec_of(m);
@@ -49,12 +41,34 @@ sc_touch touch_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t face
   return sc_touch_wall(w, s.walls.faces[face], s.walls.pose_of(face)).touch;
 }
 
-}  // namespace
-
-sc_contact_place place_of_shape_at_wall(const ParticleSystem& s, std::size_t p, const sc_wall_gap& gap) {
-  return sc_place_at_plane(body_shape(s.particles, p, s.forms), gap.normal, gap.distance,
-                           s.particles.radius_by_volume(p));
+/// Of the places where shape p meets the face of contact w the one nearest to where the contact was.
+sc_body_gap gap_of_shape(const ParticleSystem& s, std::size_t p, std::int32_t w) {
+  const std::size_t face = static_cast<std::size_t>(s.wall_contacts.wall[w]);
+  const sc_wall_pose& pose = s.walls.pose_of(face);
+  const sc_vec centre = vec_of(s.particles.motion.row(p)), anchor = vec_of(&s.wall_contacts.shape[wall_memory * w]);
+  sc_body_gap gaps[SC_FRUSTUM_GAPS];
+  const int count = sc_body_to_wall(s.walls.faces[face], pose, body_shape(s.particles, p, s.forms), centre, gaps);
+  const auto away = [&](int k) {
+    const sc_vec apart = sc_sub(sc_from_wall(pose, sc_add(centre, gaps[k].arm)), anchor);
+    return sc_dot(apart, apart);
+  };
+  int nearest = 0;
+  for (int k = 1; k < count; ++k) nearest = away(k) < away(nearest) ? k : nearest;
+  return gaps[nearest];
 }
+
+sc_contact_energy energy_of_shape_at_wall(const ParticleSystem& s, std::size_t p, std::int32_t w,
+                                          const sc_pair_law& law, const sc_contact_state& state) {
+  const double* row = &s.wall_contacts.shape[wall_memory * w];
+  const sc_wall_memory memory{vec_of(row), row[3], row[7]};
+  const sc_body_gap gap = gap_of_shape(s, p, w);
+  const sc_body_side wall{sc_zero_vec(), sc_zero_vec(), 0};
+  const sc_touch touch =
+      sc_touch_at(sc_place_at_wall(gap, memory), side_of(s.particles, p), wall, s.particles.effect_excess[p]);
+  return sc_contact_energy_of(s.laws, sc_law_of_growth(law, sc_wall_ratio(gap, memory)), touch, state);
+}
+
+}  // namespace
 
 sc_vec branch_of_pair(const ParticleSystem& s, std::size_t c) {
   const double* a = s.particles.motion.row(s.contacts.pairs.owner[c]);
@@ -120,8 +134,9 @@ sc_contact_energy energy_of_wall(const ParticleSystem& s, std::size_t p, std::in
   const WallContacts& walls = s.wall_contacts;
   if (!walls.active[w]) return {0, 0};
   const sc_pair_law& law = s.materials.pair(s.particles.material[p], s.walls.faces[walls.wall[w]].material);
-  return sc_contact_energy_of(s.laws, law, touch_of_wall(s, p, walls.wall[w]),
-                              state_of(walls.active, walls.slide, walls.roll, w));
+  const sc_contact_state state = state_of(walls.active, walls.slide, walls.roll, w);
+  if (!is_sphere(s.particles, p)) return energy_of_shape_at_wall(s, p, w, law, state);
+  return sc_contact_energy_of(s.laws, law, touch_of_wall(s, p, walls.wall[w]), state);
 }
 
 }  // namespace scree

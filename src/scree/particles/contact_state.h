@@ -24,9 +24,6 @@ double overlap_of_pair(const ParticleSystem& system, std::size_t c);
 /// What candidate pair c remembers.
 sc_contact_state state_of_pair(const ParticleSystem& system, std::size_t c);
 
-/// Where particle p, which is no sphere, touches a wall whose gap from its centre is known.
-sc_contact_place place_of_shape_at_wall(const ParticleSystem& system, std::size_t p, const sc_wall_gap& gap);
-
 /// Energy stored in candidate pair c [J]; nothing unless it acts.
 sc_contact_energy energy_of_pair(const ParticleSystem& system, std::size_t c);
 

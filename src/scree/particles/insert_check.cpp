@@ -9,6 +9,7 @@
 #include "scree/particles/insert_region.h"
 #include "scree/particles/neighbours.h"
 #include "scree/particles/shapes.h"
+#include "scree/physics/touch/body_wall.h"
 
 namespace scree {
 namespace {
@@ -29,24 +30,24 @@ WallOverlap deepest_overlap(const Walls& walls, const double* position, double r
   return deepest;
 }
 
-/// How far particle i reaches in a direction from its centre.
-double extent(const Particles& particles, std::size_t i, const Forms& forms, const sc_vec& normal) {
-  const double radius = particles.motion.row(i)[lane::radius];
-  return is_sphere(particles, i) ? radius : sc_support_in_world(body_shape(particles, i, forms), normal).value;
+/// The deepest overlap of a shape with the walls that are there.
+WallOverlap deepest_overlap(const Walls& walls, const sc_body_shape& body, const sc_vec& centre) {
+  WallOverlap deepest;
+  for_each_face_near(walls, centre, body.radius, [&](std::size_t face, const sc_wall_gap&) {
+    if (!walls.pose_of(face).present) return;
+    sc_body_gap gaps[SC_FRUSTUM_GAPS];
+    const int count = sc_body_to_wall(walls.faces[face], walls.pose_of(face), body, centre, gaps);
+    for (int k = 0; k < count; ++k)
+      if (gaps[k].overlap > deepest.depth) deepest = {gaps[k].overlap, face};
+  });
+  return deepest;
 }
 
-/// The deepest overlap of particle i with the walls that are there. A face lies behind the plane across the shortest
-/// way to it, so that a shape is taken for no less deep than it is.
+/// The deepest overlap of particle i with the walls that are there.
 WallOverlap deepest_overlap(const Walls& walls, const Particles& particles, std::size_t i, const Forms& forms) {
   const double* m = particles.motion.row(i);
-  WallOverlap deepest;
-  for_each_face_near(walls, sc_make_vec(m[0], m[1], m[2]), m[lane::radius],
-                     [&](std::size_t face, const sc_wall_gap& gap) {
-                       if (!walls.pose_of(face).present) return;
-                       const double depth = extent(particles, i, forms, gap.normal) - gap.distance;
-                       if (depth > deepest.depth) deepest = {depth, face};
-                     });
-  return deepest;
+  if (is_sphere(particles, i)) return deepest_overlap(walls, m, m[lane::radius]);
+  return deepest_overlap(walls, body_shape(particles, i, forms), sc_make_vec(m[0], m[1], m[2]));
 }
 
 /// True if the centre, or with `margin` the sphere of that radius, is in a room; also true when there are no rooms.

@@ -42,7 +42,6 @@ void merge(SweepFindings& all, const SweepFindings& part) {
   all.contacts += part.contacts;
   all.impacts += part.impacts;
   all.impact_speed += part.impact_speed;
-  all.unresolved += part.unresolved;
   all.sound = all.sound && part.sound;
   all.inside = all.inside && part.inside;
 }
@@ -107,7 +106,6 @@ SweepFindings agree(const Ranks& ranks, const SweepFindings& mine) {
   all.contacts = ranks.total(mine.contacts);
   all.impacts = ranks.total(mine.impacts);
   all.impact_speed = ranks.total(mine.impact_speed);
-  all.unresolved = ranks.total(mine.unresolved);
   all.sound = ranks.all(mine.sound);
   all.inside = ranks.all(mine.inside);
   return all;

@@ -2,17 +2,108 @@
 #pragma once
 
 #include "scree/particles/sweep_shapes.h"
+#include "scree/physics/touch/body_wall.h"
 
 namespace scree {
 namespace {
 
-/// Where particle p touches the face of its wall contact w. A face lies wholly behind the plane across the shortest way
-/// to it, so whoever does not reach that plane does not touch. False where the contact is not known.
-inline bool place_at_wall(const AmongWalls& a, std::int32_t w, const sc_body_shape& body, sc_contact_place& place) {
+/// Rows of WallContacts::shape: what lasts, and what is known during one evaluation.
+inline double* memory_row(const SweepView& v, std::int32_t w) {
+  return v.walls.shape_memory + std::int64_t{wall_memory} * w;
+}
+
+inline sc_wall_memory memory_at_wall(const double* row) { return {vec_of(row), row[3], row[7]}; }
+
+inline void note_gap(const AmongWalls& a, std::int32_t w, const sc_body_gap& gap) {
+  double* row = memory_row(a.v, w);
+  row[4] = gap.arm.x;
+  row[5] = gap.arm.y;
+  row[6] = gap.arm.z;
+  store4(row + wall_scratch, lane4{gap.growth, gap.overlap, gap.support, static_cast<double>(gap.plain)});
+  a.gap(w) = {gap.normal, gap.support - gap.overlap, gap.corners};
+}
+
+inline sc_body_gap noted_gap(const AmongWalls& a, std::int32_t w) {
+  const double* row = memory_row(a.v, w);
+  sc_body_gap gap;
+  gap.growth = row[wall_scratch];
+  gap.arm = vec_of(row + 4);
+  gap.normal = a.gap(w).normal;
+  gap.overlap = row[wall_scratch + 1];
+  gap.support = row[wall_scratch + 2];
+  gap.plain = row[wall_scratch + 3] != 0;
+  gap.corners = a.gap(w).corners;
+  return gap;
+}
+
+/// The memory of one place of a face, aside.
+struct PlaceMemory {
+  std::uint8_t active = 0;
+  lane4 slide, roll, shape[wall_memory / 4];
+};
+
+inline PlaceMemory take_memory(const SweepView& v, std::int32_t w) {
+  PlaceMemory m;
+  m.active = v.walls.active[w];
+  m.slide = load4(v.walls.slide + std::int64_t{4} * w);
+  m.roll = load4(v.walls.roll + std::int64_t{4} * w);
+  for (int k = 0; k < wall_memory / 4; ++k) m.shape[k] = load4(memory_row(v, w) + 4 * k);
+  forget_wall(v, w);
+  return m;
+}
+
+inline void put_memory(const SweepView& v, std::int32_t w, PlaceMemory& m) {
+  v.walls.active[w] = m.active;
+  store4(v.walls.slide + std::int64_t{4} * w, m.slide);
+  store4(v.walls.roll + std::int64_t{4} * w, m.roll);
+  for (int k = 0; k < wall_memory / 4; ++k) store4(memory_row(v, w) + 4 * k, m.shape[k]);
+  m.active = 0;
+}
+
+/// Gives the memories of the places of one face, from `begin` on, to the gaps: again and again to the two that are
+/// nearest to each other. Those left over go to places without a gap. So the order of places does not matter.
+[[gnu::noinline]] void match_places(const AmongWalls& a, std::int32_t begin, const sc_body_gap* gaps, int count) {
   const SweepView& v = a.v;
-  const sc_wall_gap& gap = a.gap(w);
-  place = sc_place_at_plane(body, gap.normal, gap.distance, v.shapes.inertia[4 * a.p + 3]);
-  return a.face(w).kind == SC_WALL_PLANE || place.overlap <= 0;
+  const sc_vec centre = vec_of(v.motion + 8 * a.p);
+  PlaceMemory old[SC_FRUSTUM_GAPS];
+  int left = 0;
+  for (int k = 0; k < SC_FRUSTUM_GAPS; ++k)
+    if (v.walls.active[begin + k]) old[left++] = take_memory(v, begin + k);
+  const int all = left;
+  for (int matched = 0; left > 0 && matched < count; ++matched, --left) {
+    int gap = -1, memory = -1;
+    double least = 0;
+    for (int g = 0; g < count; ++g)
+      for (int m = 0; m < all; ++m) {
+        if (!old[m].active || v.walls.active[begin + g]) continue;
+        const sc_vec at = sc_from_wall(a.pose(begin), sc_add(centre, gaps[g].arm));
+        const sc_vec apart = sc_sub(at, sc_make_vec(old[m].shape[0][0], old[m].shape[0][1], old[m].shape[0][2]));
+        if (gap >= 0 && sc_dot(apart, apart) >= least) continue;
+        least = sc_dot(apart, apart);
+        gap = g;
+        memory = m;
+      }
+    put_memory(v, begin + gap, old[memory]);
+  }
+  for (int m = 0, k = count; m < all && k < SC_FRUSTUM_GAPS; ++m)
+    if (old[m].active) put_memory(v, begin + k++, old[m]);
+}
+
+/// Finds how the body meets the face that has the places from w on; returns how many they are.
+[[gnu::noinline]] int find_places(const AmongWalls& a, std::int32_t w, const sc_body_shape& body) {
+  const SweepView& v = a.v;
+  const int places = sc_wall_places(a.face(w).kind);
+  const sc_vec centre = vec_of(v.motion + 8 * a.p);
+  bool near = body.radius + v.margin > sc_gap_to_wall(a.face(w), a.pose(w), centre).distance;
+  for (int k = 0; k < places; ++k) near |= v.walls.active[w + k] != 0;
+  sc_body_gap gaps[SC_FRUSTUM_GAPS];
+  const int count = near ? sc_body_to_wall(a.face(w), a.pose(w), body, centre, gaps) : 0;
+  if (places > 1 && near) match_places(a, w, gaps, count);
+  for (int k = 0; k < places; ++k) {
+    if (k < count) note_gap(a, w + k, gaps[k]);
+    if (k >= count) a.gap(w + k).corners = dropped;
+  }
+  return places;
 }
 
 /// The wall as partner B of a contact, `arm` from its pivot.
@@ -25,16 +116,18 @@ inline sc_body_side side_of_wall(const sc_wall_pose& pose, const sc_vec& arm, co
 [[gnu::noinline]] void add_shape_wall(const AmongWalls& a, std::int32_t w, const sc_body_shape& body, Gathered& g,
                                       SweepFindings& findings) {
   const SweepView& v = a.v;
-  sc_contact_place place;
-  if (!place_at_wall(a, w, body, place)) {
-    findings.unresolved += a.pose(w).present;
-    return;
-  }
-  if (place.overlap + v.margin <= 0 && !v.walls.active[w]) return;
-  const sc_vec arm = sc_sub(sc_add(vec_of(v.motion + 8 * a.p), place.arm_a), a.pose(w).place);
+  const sc_body_gap gap = noted_gap(a, w);
+  if (gap.overlap + v.margin <= 0 && !v.walls.active[w]) return;
+  const double by_volume = v.shapes.inertia[4 * a.p + 3];
+  sc_wall_memory memory = v.walls.active[w] ? memory_at_wall(memory_row(v, w)) : sc_wall_met(body, gap, by_volume);
+  if (gap.plain) memory.reach = gap.support;
+  const sc_contact_place place = sc_place_at_wall(gap, memory);
+  const sc_vec at = sc_add(vec_of(v.motion + 8 * a.p), place.arm_a);
+  const sc_vec arm = sc_sub(at, a.pose(w).place);
   const sc_body_side wall = side_of_wall(a.pose(w), arm, place.normal);
   const sc_touch touch = sc_touch_at(place, side_at(v, a.p), wall, v.effect_excess[a.p]);
-  const sc_pair_law& law = v.law[v.material[a.p] * v.materials + a.face(w).material];
+  const sc_pair_law law =
+      sc_law_of_growth(v.law[v.material[a.p] * v.materials + a.face(w).material], sc_wall_ratio(gap, memory));
   const sc_contact_state before = wall_state(v, w);
   if (!a.pose(w).present) return lose_wall(a, w, v.laws, law, touch, before);
   const sc_contact_result r = sc_contact_act(v.laws, law, touch, v.time, before);
@@ -44,28 +137,43 @@ inline sc_body_side side_of_wall(const sc_wall_pose& pose, const sc_vec& arm, co
   g.turn += lane4{torque.x, torque.y, torque.z, r.action.loss_sliding};
   g.couple += lane4{0, 0, 0, r.action.loss_rolling};
   book_wall(a, w, arm, r);
-  findings.deepest = SC_MAX(findings.deepest, place.overlap / v.shapes.inertia[4 * a.p + 3]);
+  findings.deepest = SC_MAX(findings.deepest, place.overlap / by_volume);
   remember_wall(a, w, v.laws, law, touch, r, findings);
+  if (!r.action.touching) return;
+  const sc_vec anchor = sc_from_wall(a.pose(w), at);
+  store4(memory_row(v, w), lane4{anchor.x, anchor.y, anchor.z, memory.reach});
+  store4(memory_row(v, w) + 4, lane4{place.arm_a.x, place.arm_a.y, place.arm_a.z, memory.radius});
+}
+
+/// All walls of a sphere among shapes.
+inline Gathered gather_walls_of_sphere(const SweepView& v, std::int64_t p, SweepFindings& findings) {
+  Gathered g = gather_walls<AnyLaws>(v, p, findings);
+  const double radius = v.motion[8 * p + 3];
+  const lane4 scale{radius, radius, radius, 1};
+  g.turn = g.turn * scale + last_of(g.couple, lane4{});
+  g.couple = last_of(lane4{}, g.couple);
+  return g;
 }
 
 /// All walls of particle p, which has some: force, and torque in place of the turn.
 [[gnu::noinline]] Gathered gather_walls_of_shape(const SweepView& v, std::int64_t p, SweepFindings& findings) {
-  if (is_sphere(v, p)) {
-    Gathered g = gather_walls<AnyLaws>(v, p, findings);
-    const double radius = v.motion[8 * p + 3];
-    const lane4 scale{radius, radius, radius, 1};
-    g.turn = g.turn * scale + last_of(g.couple, lane4{});
-    g.couple = last_of(lane4{}, g.couple);
-    return g;
-  }
+  if (is_sphere(v, p)) return gather_walls_of_sphere(v, p, findings);
   Gathered g{};
   const AmongWalls a{v, p, v.walls.first[p], v.walls.first[p + 1]};
   const sc_body_shape body = shape_at(v, p);
-  for (std::int32_t w = a.begin; w < a.end; ++w) {
-    a.gap(w) = sc_gap_to_wall(a.face(w), a.pose(w), vec_of(v.motion + 8 * p));
-    if (v.motion[8 * p + 3] + v.margin > a.gap(w).distance || v.walls.active[w])
-      add_shape_wall(a, w, body, g, findings);
-  }
+  bool joined = false;
+  for (std::int32_t w = a.begin; w < a.end; w += find_places(a, w, body)) joined |= a.face(w).corner[0] >= 0;
+  const auto growth = [&](std::int32_t u) {
+    return a.gap(u).corners == dropped ? 1e300 : memory_row(v, u)[wall_scratch];
+  };
+  if (joined)
+    drop_faces(
+        a, [&](std::int32_t w) { return a.gap(w).corners != dropped; },
+        [&](std::int32_t w) {
+          return counts(a, w, body.radius, growth, [&](std::int32_t u) { return vec_of(memory_row(v, u) + 4); });
+        });
+  for (std::int32_t w = a.begin; w < a.end; ++w)
+    if (!(a.gap(w).corners & dropped)) add_shape_wall(a, w, body, g, findings);
   return g;
 }
 

@@ -4,7 +4,6 @@
 #include "scree/particles/sweep_tile.h"
 #include "scree/particles/sweep_walls.h"
 #include "scree/physics/rotation.h"
-#include "scree/physics/touch/body_plane.h"
 #include "scree/physics/touch/shape_contact.h"
 
 namespace scree {

@@ -21,6 +21,9 @@ constexpr std::uint8_t contact_code(bool acted, bool slid) {
   return static_cast<std::uint8_t>(acted ? 1 + 2 * static_cast<int>(slid) : 0);
 }
 
+/// Numbers that a contact of a shape with a wall remembers besides, and the first of those that do not last.
+inline constexpr int wall_memory = 12, wall_scratch = 8;
+
 /// Contacts with walls: those of particle p are first[p] ... first[p + 1] - 1, in the order of walls. They are
 /// evaluated one by one and added after the contacts with particles.
 struct WallView {
@@ -33,6 +36,7 @@ struct WallView {
   const sc_wall_pose* pose;  // of each wall of the case
   sc_wall_gap* gap;          // [contacts], written: the way to the wall
   double* load;              // [contacts][8] or null, written: force on the wall x y z, moment about its pivot x y z
+  double* shape_memory;      // [contacts][wall_memory]: WallContacts::shape; null in a system of spheres
 };
 
 /// What particles of any shape have besides; all null in a system of spheres.
@@ -105,7 +109,6 @@ struct SweepFindings {
   std::int64_t contacts = 0;      // pairs and walls that acted
   std::int64_t impacts = 0;       // pairs that began to act
   std::int64_t impact_speed = 0;  // sum of their approach speeds [speed_quantum]
-  std::int64_t unresolved = 0;    // shapes near a wall of which the contact is not known
   bool sound = true;              // all speeds are numbers
   bool inside = true;             // nobody has left the domain
 };

@@ -50,22 +50,30 @@ struct AmongWalls {
 };
 
 /// A nearest point on an edge or a corner is a place of contact only if it is the nearest of all faces that meet there;
-/// and faces whose nearest points coincide are one contact, that of the first of them.
-[[gnu::noinline]] bool counts(const AmongWalls& a, std::int32_t w, double radius) {
+/// and faces whose nearest points coincide are one contact, that of the first of them. `away(u)` says how far face u
+/// is, `point(u)` where its nearest point is.
+template <class Away, class Point>
+[[gnu::always_inline]] inline bool counts(const AmongWalls& a, std::int32_t w, double radius, Away&& away,
+                                          Point&& point) {
   const sc_wall& face = a.face(w);
-  const sc_wall_gap gap = a.gap(w);
+  const int corners = a.gap(w).corners;
   for (std::int32_t u = a.begin; u < a.end; ++u) {
     const sc_wall& other = a.face(u);
-    if (u == w || other.body != face.body) continue;
-    const sc_wall_gap there = a.gap(u);
-    if (gap.corners != SC_INSIDE_FACE && there.distance < nearer * gap.distance &&
-        sc_wall_has_corners(other, face, gap.corners))
+    if (a.v.walls.wall[u] == a.v.walls.wall[w] || other.body != face.body) continue;
+    const int there = a.gap(u).corners;
+    if (corners != SC_INSIDE_FACE && away(u) < nearer * away(w) && sc_wall_has_corners(other, face, corners))
       return false;
-    if (u > w || (there.corners & dropped)) continue;
-    const sc_vec apart = sc_sub(sc_scale(there.distance, there.normal), sc_scale(gap.distance, gap.normal));
+    if (u > w || (there & dropped)) continue;
+    const sc_vec apart = sc_sub(point(u), point(w));
     if (sc_dot(apart, apart) < same_point * same_point * radius * radius) return false;
   }
   return true;
+}
+
+[[gnu::noinline]] bool counts(const AmongWalls& a, std::int32_t w, double radius) {
+  return counts(
+      a, w, radius, [&](std::int32_t u) { return a.gap(u).distance; },
+      [&](std::int32_t u) { return sc_scale(a.gap(u).distance, a.gap(u).normal); });
 }
 
 /// Leaves the contact without a memory.
@@ -73,6 +81,19 @@ inline void forget_wall(const SweepView& v, std::int32_t w) {
   v.walls.active[w] = 0;
   store4(v.walls.slide + std::int64_t{4} * w, lane4{});
   store4(v.walls.roll + std::int64_t{4} * w, lane4{});
+  if (v.walls.shape_memory) store4(v.walls.shape_memory + std::int64_t{wall_memory} * w, lane4{});
+}
+
+/// Moves the memory of one contact with a wall to another.
+inline void move_wall_memory(const SweepView& v, std::int32_t from, std::int32_t to) {
+  v.walls.active[to] = v.walls.active[from];
+  store4(v.walls.slide + std::int64_t{4} * to, load4(v.walls.slide + std::int64_t{4} * from));
+  store4(v.walls.roll + std::int64_t{4} * to, load4(v.walls.roll + std::int64_t{4} * from));
+  if (v.walls.shape_memory)
+    for (int k = 0; k < wall_memory; k += 4)
+      store4(v.walls.shape_memory + std::int64_t{wall_memory} * to + k,
+             load4(v.walls.shape_memory + std::int64_t{wall_memory} * from + k));
+  forget_wall(v, from);
 }
 
 /// A sphere that has gone over an edge takes the memory of the face it leaves to the face it enters.
@@ -81,12 +102,21 @@ inline void take_over_memory(const AmongWalls& a, std::int32_t w) {
   for (std::int32_t u = a.begin; u < a.end; ++u) {
     if (!(a.gap(u).corners & dropped) || !v.walls.active[u] || a.face(u).body != a.face(w).body) continue;
     if (!sc_wall_meet(a.face(u), a.face(w))) continue;
-    v.walls.active[w] = v.walls.active[u];
-    store4(v.walls.slide + std::int64_t{4} * w, load4(v.walls.slide + std::int64_t{4} * u));
-    store4(v.walls.roll + std::int64_t{4} * w, load4(v.walls.roll + std::int64_t{4} * u));
-    forget_wall(v, u);
+    move_wall_memory(v, u, w);
     return;
   }
+}
+
+/// Marks the faces that do not count, of those that are near, and hands their memory on.
+template <class Near, class Counts>
+inline void drop_faces(const AmongWalls& a, Near&& near, Counts&& counts) {
+  const SweepView& v = a.v;
+  for (std::int32_t w = a.begin; w < a.end; ++w)
+    if (near(w) && !counts(w)) a.gap(w).corners |= dropped;
+  for (std::int32_t w = a.begin; w < a.end; ++w)
+    if (near(w) && !(a.gap(w).corners & dropped) && !v.walls.active[w]) take_over_memory(a, w);
+  for (std::int32_t w = a.begin; w < a.end; ++w)
+    if ((a.gap(w).corners & dropped) && v.walls.active[w]) forget_wall(v, w);
 }
 
 /// Finds the way to every face; marks those that do not count, and hands their memory on.
@@ -98,13 +128,9 @@ inline void find_gaps(const AmongWalls& a, const sc_sphere_wall& s) {
     joined |= a.face(w).corner[0] >= 0;
   }
   if (!joined) return;
-  const auto near = [&](std::int32_t w) { return v.walls.active[w] || s.radius + v.margin > a.gap(w).distance; };
-  for (std::int32_t w = a.begin; w < a.end; ++w)
-    if (near(w) && !counts(a, w, s.radius)) a.gap(w).corners |= dropped;
-  for (std::int32_t w = a.begin; w < a.end; ++w)
-    if (near(w) && !(a.gap(w).corners & dropped) && !v.walls.active[w]) take_over_memory(a, w);
-  for (std::int32_t w = a.begin; w < a.end; ++w)
-    if ((a.gap(w).corners & dropped) && v.walls.active[w]) forget_wall(v, w);
+  drop_faces(
+      a, [&](std::int32_t w) { return v.walls.active[w] || s.radius + v.margin > a.gap(w).distance; },
+      [&](std::int32_t w) { return counts(a, w, s.radius); });
 }
 
 inline sc_contact_state wall_state(const SweepView& v, std::int32_t w) {

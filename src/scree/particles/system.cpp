@@ -212,8 +212,16 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
   v.slide = s.contacts.slide.data();
   v.roll = s.contacts.remembers_rolling ? s.contacts.roll.data() : nullptr;
   WallContacts& w = s.wall_contacts;
-  v.walls = {w.first.data(),       w.wall.data(),        w.active.data(), w.slide.data(), w.roll.data(),
-             s.walls.faces.data(), s.walls.poses.data(), w.gap.data(),    nullptr};
+  v.walls = {w.first.data(),
+             w.wall.data(),
+             w.active.data(),
+             w.slide.data(),
+             w.roll.data(),
+             s.walls.faces.data(),
+             s.walls.poses.data(),
+             w.gap.data(),
+             nullptr,
+             p.shaped() ? w.shape.data() : nullptr};
   v.slot = lists.plan.slot.data();
   v.gather_first = lists.plan.gather_first.data();
   v.gather = lists.plan.gather.data();

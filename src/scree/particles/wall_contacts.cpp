@@ -6,6 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "scree/particles/shapes.h"
+#include "scree/particles/sweep_view.h"
+#include "scree/physics/touch/body_wall.h"
+
 namespace scree {
 namespace {
 
@@ -20,7 +24,10 @@ void for_each_near(const Particles& particles, std::size_t p, const Walls& walls
   for_each_face_near(walls, sc_make_vec(m[lane::x], m[lane::y], m[lane::z]), reach,
                      [&](std::size_t face, const sc_wall_gap&) { scratch.push_back(static_cast<std::int32_t>(face)); });
   std::sort(scratch.begin(), scratch.end());
-  for (const std::int32_t face : scratch) visit(face);
+  for (const std::int32_t face : scratch) {
+    const int places = is_sphere(particles, p) ? 1 : sc_wall_places(walls.faces[face].kind);
+    for (int k = 0; k < places; ++k) visit(face);
+  }
 }
 
 }  // namespace
@@ -50,6 +57,7 @@ WallContacts find_wall_contacts(const Particles& particles, const Walls& walls, 
   out.slide.resize(4 * count);
   out.roll.resize(4 * count);
   out.gap.resize(count);
+  if (particles.shaped()) out.shape.resize(wall_memory * count);
   std::int32_t* next = out.wall.begin();
   for (const std::vector<std::int32_t>& run : found) next = std::copy(run.begin(), run.end(), next);
   return out;
@@ -63,11 +71,15 @@ void carry_over(WallContacts& fresh, const WallContacts& old, const std::vector<
       if (q < 0) continue;
       const auto* last = std::as_const(fresh.wall).begin() + fresh.first[q + 1];
       const auto* found = std::lower_bound(std::as_const(fresh.wall).begin() + fresh.first[q], last, old.wall[from]);
+      // The first place of the face that nobody has yet.
+      while (found != last && *found == old.wall[from] && fresh.active[found - fresh.wall.begin()]) ++found;
       if (found == last || *found != old.wall[from]) continue;  // parted in the step before
       const std::size_t to = found - fresh.wall.begin();
       fresh.active[to] = old.active[from];
       std::copy_n(&old.slide[4 * std::size_t(from)], 4, &fresh.slide[4 * to]);
       std::copy_n(&old.roll[4 * std::size_t(from)], 4, &fresh.roll[4 * to]);
+      if (!fresh.shape.empty() && !old.shape.empty())
+        std::copy_n(&old.shape[wall_memory * std::size_t(from)], wall_memory, &fresh.shape[wall_memory * to]);
     }
 }
 

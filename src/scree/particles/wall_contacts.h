@@ -10,7 +10,8 @@
 
 namespace scree {
 
-/// Contacts of particle p are first[p] ... first[p + 1] - 1, in the order of the walls' faces.
+/// Contacts of particle p are first[p] ... first[p + 1] - 1, in the order of the walls' faces. Of a shape, a face where
+/// it may touch at several places stands there as often.
 struct WallContacts {
   Buffer<std::int32_t> first;   // [particles + 1]
   Buffer<std::int32_t> wall;    // index into Walls::faces
@@ -18,6 +19,9 @@ struct WallContacts {
   Buffer<double> slide;         // [contacts][4]: stretch of the tangential spring x y z [m], approach [m/s]
   Buffer<double> roll;          // [contacts][4]: stretch of the rolling spring x y z, of the twisting spring [rad]
   Buffer<sc_wall_gap> gap;      // [contacts]: the way to the wall at the last evaluation
+  // [contacts][wall_memory], empty in a system of spheres: what sc_wall_memory holds (anchor x y z, distance at first
+  // touch), arm to the contact point x y z, effective radius; and four numbers that do not last.
+  Buffer<double> shape;
 };
 
 /// All faces closer to a particle's effect surface than `skin` [m], bodies of infinite mass left out.

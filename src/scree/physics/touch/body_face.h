@@ -7,6 +7,9 @@
 // s/h(n) times the point of the body that lies farthest along n. On an edge it is a safeguarded Newton search. The
 // normal of a contact is that of the scaled body there, n = gradient/|gradient|, and the body reaches
 // (1 - growth) h(n) = (1 - growth)/|gradient| beyond the face.
+//
+// With a plane the overlap h(n) - s is a potential by itself: its derivatives are the normal and the arm to the
+// farthest point of the body. Elsewhere only a function of the growth is one.
 #ifndef SCREE_PHYSICS_TOUCH_BODY_FACE_H
 #define SCREE_PHYSICS_TOUCH_BODY_FACE_H
 
@@ -19,6 +22,8 @@ typedef struct {
   sc_vec arm;     // contact point from the centre of the body [m]
   sc_vec normal;  // unit, from the body to the wall
   real overlap;   // along the normal, negative apart [m]
+  real support;   // h(normal), from the centre to where the body ends along it [m]
+  int plain;      // 1: the overlap is a potential, and the contact point lies below the farthest point of the body
   int corners;    // where on the face, as in sc_nearest
 } sc_body_gap;
 
@@ -46,6 +51,8 @@ SC_FN sc_body_gap sc_body_gap_at(sc_norm_value gauge, sc_vec arm, int corners) {
   out.arm = arm;
   out.normal = sc_scale(inverse, gauge.gradient);
   out.overlap = (R(1) - gauge.value) * inverse;
+  out.support = inverse;
+  out.plain = 0;
   out.corners = corners;
   return out;
 }
@@ -56,9 +63,11 @@ SC_FN sc_body_gap sc_body_plane(sc_body_shape body, sc_vec n, real distance) {
   const sc_norm_value h = sc_support_in_world(body, n);
   sc_body_gap out;
   out.growth = distance / h.value;
-  out.arm = sc_scale(out.growth, h.gradient);
   out.normal = n;
   out.overlap = h.value - distance;
+  out.arm = sc_add_scaled(h.gradient, -out.overlap, n);
+  out.support = h.value;
+  out.plain = 1;
   out.corners = SC_INSIDE_FACE;
   return out;
 }
@@ -104,10 +113,12 @@ SC_FN sc_body_gap sc_body_polygon(sc_body_shape body, const sc_vec* corner, int 
   const real height = sc_dot(corner[0], normal);
   const sc_vec n = height < R(0) ? sc_scale(R(-1), normal) : normal;
   const sc_body_gap plane = sc_body_plane(body, n, SC_FABS(height));
+  // Where the scaled body touches the plane.
+  const sc_vec least = sc_scale(plane.growth, sc_add_scaled(plane.arm, plane.overlap, n));
   int left = 1, right = 1;
   for (int k = 0; k < corners; ++k) {
     const sc_vec from = corner[k], to = corner[k + 1 < corners ? k + 1 : 0];
-    const real side = sc_dot(sc_cross(sc_sub(to, from), sc_sub(plane.arm, from)), n);
+    const real side = sc_dot(sc_cross(sc_sub(to, from), sc_sub(least, from)), n);
     left &= side >= R(0);
     right &= side <= R(0);
   }

@@ -44,9 +44,9 @@ SC_FN sc_plane_matrix sc_tangent_radii(sc_body_shape body, sc_vec n, sc_vec u, r
   return out;
 }
 
-/// Factor C of the force for a ratio R'/R'' >= 1.
+/// Factor C of the force for a ratio R'/R'' >= 1; beyond 100 that of 100.
 SC_FN real sc_elongation_factor(real ratio) {
-  const real log = sc_log(ratio);
+  const real log = sc_log(SC_MIN(ratio, R(100)));
   const real square = log * log;
   const real rest = R(-6.82957e-5) + square * (R(3.64398e-6) + square * R(-5.34335e-8));
   return R(1) + square * (R(1.0 / 48.0) + square * rest);
