@@ -16,7 +16,7 @@ using GrowthLane = double[growth_lanes];
 struct alignas(64) GrowthBatch {
   GrowthLane scale_a[3], scale_b[3], turn[9], branch[3], radius_b, rounding;
   GrowthLane exponent[4], inverse[4];  // of A in the plane, of A, of B in the plane, of B
-  GrowthLane at[4], base[4], step[4], fraction, misfit, low, high, normal[3], weight, growth, verdict, looks;
+  GrowthLane at[4], base[4], step[4], fraction, misfit, low, high, normal[3], weight, growth, verdict;
 };
 
 [[gnu::always_inline]] inline sc_vec lane_vec(const GrowthLane* v, int i) {
@@ -60,7 +60,6 @@ template <int Kind>
   s.weight = b.weight[i];
   s.growth = b.growth[i];
   s.verdict = b.verdict[i];
-  s.looks = b.looks[i];
   return s;
 }
 
@@ -79,7 +78,6 @@ template <int Kind>
   b.weight[i] = s.weight;
   b.growth[i] = s.growth;
   b.verdict[i] = s.verdict;
-  b.looks[i] = s.looks;
 }
 
 /// Puts a pair into lane i, to be searched from `start`.

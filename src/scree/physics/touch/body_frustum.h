@@ -66,8 +66,8 @@ SC_FN sc_body_gap sc_body_generator(sc_body_shape body, sc_frustum_view view, re
   return gap;
 }
 
-/// The grid of angles. Beyond a quarter turn from the half plane of the centre, and where the centre is farther from
-/// the half plane of the generator than the bounding radius, nothing touches.
+/// The grid of angles. Beyond a quarter turn from the half plane of the centre, and where the centre is farther
+/// from the half plane of the generator than the bounding radius, nothing touches.
 SC_FN sc_frustum_view sc_view_frustum(sc_frustum frustum, real reach) {
   const real turn = R(6.283185307179586477);
   const sc_half_plane seen = sc_frustum_half_plane(frustum, sc_zero_vec());
@@ -77,9 +77,9 @@ SC_FN sc_frustum_view sc_view_frustum(sc_frustum frustum, real reach) {
   view.third = sc_cross(frustum.axis, view.across);
   view.periodic = !(reach < R(0.95) * seen.place.y);
   // asin(x) < pi/2 x
-  const real half = view.periodic ? R(0.5) * turn : R(0.25) * turn * reach / seen.place.y;
-  view.step = R(2) * half / R(SC_FRUSTUM_ANGLES);
-  view.first = view.periodic ? R(0) : -half + R(0.5) * view.step;
+  const real half_width = view.periodic ? R(0.5) * turn : R(0.25) * turn * reach / seen.place.y;
+  view.step = R(2) * half_width / R(SC_FRUSTUM_ANGLES);
+  view.first = view.periodic ? R(0) : -half_width + R(0.5) * view.step;
   return view;
 }
 
@@ -144,14 +144,14 @@ SC_FN sc_body_gap sc_body_inside_frustum(sc_body_shape body, sc_frustum_view vie
   if (gap.corners != SC_INSIDE_FACE) return gap;
   if (!(sc_dot(sc_frustum_tangent_plane(view, angle).normal, gap.normal) > R(0))) return gap;
   sc_root_bracket b;
-  real half = R(1e-3) * view.step;
+  real half_width = R(1e-3) * view.step;
   for (int i = 0; i < 12; ++i) {
-    b.low = angle - half;
-    b.high = angle + half;
+    b.low = angle - half_width;
+    b.high = angle + half_width;
     b.at_low = sc_frustum_beside(body, view, b.low);
     b.at_high = sc_frustum_beside(body, view, b.high);
     if ((b.at_low < R(0)) & (b.at_high > R(0))) break;
-    half *= R(2);
+    half_width *= R(2);
   }
   if (!((b.at_low < R(0)) & (b.at_high > R(0)))) return gap;
   real at = angle;
@@ -164,7 +164,8 @@ SC_FN sc_body_gap sc_body_inside_frustum(sc_body_shape body, sc_frustum_view vie
   const sc_tangent_plane p = sc_frustum_tangent_plane(view, at);
   const sc_body_gap plain = sc_body_plane(body, p.normal, p.distance);
   const real along = sc_dot(sc_sub(plain.arm, view.shape.start), view.shape.axis);
-  return (along >= R(0)) & (along <= view.shape.length) ? plain : gap;
+  const int inside = (along >= R(0)) & (along <= view.shape.length);
+  return inside ? plain : gap;
 }
 
 /// With the flat ring or disc between two circles of one plane, inside the outer and outside the inner one; growth

@@ -15,7 +15,6 @@ typedef struct {
   sc_growth_point start;  // for the next solve: the contact point from the centre of A [m], and the weight of B
   sc_vec normal;          // unit, from A to B
   real support;           // h_A(n) + h_B(-n) [m]: distance of the centres along n where the bodies just touch
-  int looks;              // evaluations that it took
 } sc_growth_touch;
 
 enum { SC_GROWTH_LOOKS = 40, SC_GROWTH_REFINEMENTS = 200 };
@@ -38,7 +37,6 @@ SC_FN sc_growth_touch sc_growth_touch_of(sc_growth_search s) {
   out.start = s.at;
   out.normal = sc_scale(inverse, s.normal);
   out.support = s.weight * inverse;
-  out.looks = (int)s.looks;
   return out;
 }
 
@@ -55,7 +53,6 @@ SC_FN sc_growth_touch sc_growth_touch_of_portal(sc_growth_pair p, const sc_porta
   out.start = sc_portal_point(portal);
   out.normal = sc_scale(inverse, portal->best);
   out.support = sc_dot(out.normal, p.branch) / portal->low;
-  out.looks = 0;
   return out;
 }
 
@@ -75,19 +72,13 @@ SC_FN sc_growth_touch sc_growth_by_portal(sc_growth_pair p, real low, real high)
     sc_growth_search s = sc_growth_run(p, sc_portal_point(&portal));
     low = s.low = SC_MAX(low, s.low);
     high = s.high = SC_MIN(high, s.high);
-    if (s.verdict != R(SC_GROWTH_OPEN)) {
-      sc_growth_touch out = sc_growth_touch_of(s);
-      out.looks = 1000 + i;
-      return out;
-    }
+    if (s.verdict != R(SC_GROWTH_OPEN)) return sc_growth_touch_of(s);
     if (changed) continue;
     if (part < R(1e-11)) break;
     sc_portal_stir(&portal, p, part);
     part = R(0.2) * part;
   }
-  sc_growth_touch out = sc_growth_touch_of_portal(p, &portal, low, high);
-  out.looks = 2000;
-  return out;
+  return sc_growth_touch_of_portal(p, &portal, low, high);
 }
 
 /// Bodies with the same centre: there is no direction, so it is that of the x axis of A.
@@ -101,7 +92,6 @@ SC_FN sc_growth_touch sc_growth_concentric(sc_growth_pair p) {
   out.start.share = R(0.5);
   out.normal = x;
   out.support = c.height;
-  out.looks = 0;
   return out;
 }
 

@@ -181,7 +181,7 @@ typedef struct {
   real low, high;              // bracket so far
   sc_vec normal;               // of the last look, with weight and growth
   real weight, growth;
-  real verdict, looks;  // SC_GROWTH_..., and the evaluations so far
+  real verdict;  // SC_GROWTH_...
 } sc_growth_search;
 
 SC_FN sc_growth_search sc_growth_search_from(sc_growth_point start) {
@@ -196,7 +196,6 @@ SC_FN sc_growth_search sc_growth_search_from(sc_growth_point start) {
   s.normal = sc_zero_vec();
   s.weight = s.growth = R(0);
   s.verdict = R(SC_GROWTH_OPEN);
-  s.looks = R(0);
   return s;
 }
 
@@ -233,7 +232,6 @@ SC_FN sc_growth_search sc_growth_advance(sc_growth_pair p, sc_growth_search s) {
   out.weight = open ? look.weight : s.weight;
   out.growth = open ? look.growth : s.growth;
   out.verdict = open ? judgement.verdict : s.verdict;
-  out.looks = open ? s.looks + R(1) : s.looks;
   return out;
 }
 
