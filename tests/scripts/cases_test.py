@@ -89,7 +89,7 @@ class Cases(unittest.TestCase):
 
     def test_the_architecture_tells_the_memory(self):
         text = (SOURCE / "ARCHITECTURE.md").read_text()
-        for example, pair in (("02_bouncing_ball", "candidate pair"), ("03_settling_heap", "with rolling or twisting")):
+        for example, pair in (("02_bouncing_ball", "candidate pair"), ("03_settling_heap", "with rolling, twisting or hard collisions")):
             report = scree("check", SOURCE / "examples" / example / "case.toml").stdout
             told = [re.search(rf"^\| {what} \| (\d+)", text, re.MULTILINE).group(1)
                     for what in ("particle, in all", pair)]

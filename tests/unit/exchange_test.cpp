@@ -11,7 +11,6 @@
 #include "scree/app/run.h"
 #include "scree/app/take_over.h"
 #include "scree/base/error.h"
-#include "scree/kernels/move_sphere.h"
 #include "scree/output/run_directory.h"
 #include "scree/particles/sizes.h"
 #include "support/temporary_directory.h"
@@ -471,6 +470,33 @@ TEST(TakeOver, WhatCannotBeTakenIsRefused) {
   EXPECT_NE(refusal("checkpoint = \"" + space.path().string() + "\"\n").find("holds no checkpoint"), std::string::npos);
 }
 
+TEST(TakeOver, ShapesAreRefusedWhereSpheresAreNeeded) {
+  const TemporaryDirectory space;
+  std::string beans = fountain;
+  beans.replace(beans.find("diameter = 0.01"), 15, "shape = \"ellipsoid\"\nhalf_axes = [0.01, 0.006, 0.005]");
+  ASSERT_EQ(run_case(case_of(beans, {"simulation.end=0.2"}), into(space / "run")).status, Exit::success);
+  std::string text = fountain;
+  text.erase(text.find("diameter"));
+  text += "insert = \"checkpoint\"\ncheckpoint = \"" + (space / "run").string() + "\"\n";
+  const auto refusal = [&](Overrides more) {
+    more.push_back("simulation.time_step=1e-4");
+    try {
+      Simulation(case_of(text, more), Team(1));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refusal({}), "accepted");
+  for (const Overrides& more : {Overrides{"contact.collision=hard"},
+                                {"contact.cohesion=linear", "materials.glass.cohesion_stiffness=1"},
+                                {"gravity={ type = \"rotating\", angular_velocity = [0, 0, 1] }"}}) {
+    const std::string message = refusal(more);
+    EXPECT_NE(message.find("error[E164]: "), std::string::npos) << message;
+    EXPECT_NE(message.find("for spheres only"), std::string::npos) << message;
+  }
+}
+
 /// Frames of a run whose number of particles changes, the first of them empty.
 TEST(Frames, HoldTheParticlesThatAreThere) {
   const TemporaryDirectory space;
@@ -532,46 +558,6 @@ TEST(Population, TheOthersKeepTheirMemory) {
   EXPECT_LT(expected_pairs.size(), pairs.size());
   EXPECT_EQ(pair_springs(system), expected_pairs);
   EXPECT_EQ(wall_springs(system), expected_walls);
-}
-
-TEST(LetIn, TheVelocityIsThatOfTheSample) {
-  sc_move move{};
-  move.scheme = SC_LEAPFROG;
-  move.drag = SC_DRAG_SCHILLER_NAUMANN;
-  move.gravity = {0.3, 0, -9.81};
-  move.rotation = {0, 1, 2};
-  move.fluid_density = 1.2;
-  move.fluid_viscosity = 2e-5;
-  const sc_contact_time time{1e-3, 5e-4, 1e-3};
-  const Moment moment = moment_of(move, time, 3.0);
-  for (const double radius : {1e-5, 1e-4, 1e-3}) {
-    Particles p;
-    p.resize(1);
-    double* m = p.motion.row(0);
-    const double mass = 2000 * sphere_volume(2 * radius), v[3] = {1, -2, 3};
-    for (int k = 0; k < 3; ++k) m[lane::vx + k] = v[k];
-    m[lane::x] = 0.1;
-    m[lane::radius] = radius;
-    m[lane::inverse_mass] = 1 / mass;
-    p.mass[0] = mass;
-    p.spin.row(0)[lane::inverse_radius] = 1 / radius;
-    const sc_field field{{1, 2, 3}, {0.5, 0.5, 0.5}};
-    Passage passage;
-    Domain domain{{-1, -1, -1}, {1, 1, 1}, {}};
-    let_in(p, domain, moment, &field, passage);
-    sc_sphere_motion s{};
-    s.position = {m[0], m[1], m[2]};
-    const double* row = p.motion.row(0);
-    s.velocity = {row[4], row[5], row[6]};
-    s.radius = radius;
-    s.inverse_mass = 1 / mass;
-    s.inverse_radius = 1 / radius;
-    const sc_vec found = sc_move_sphere(moment.move, s, sc_sphere_load{}, field).motion.velocity;
-    EXPECT_NEAR(found.x, v[0], 1e-9);
-    EXPECT_NEAR(found.y, v[1], 1e-9);
-    EXPECT_NEAR(found.z, v[2], 1e-9);
-    EXPECT_NEAR(passage.inserted.energy.value(), 0.5 * mass * 14, 1e-8 * mass);
-  }
 }
 
 }  // namespace

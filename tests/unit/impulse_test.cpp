@@ -22,7 +22,7 @@ struct Body {
   }
   double energy() const {
     if (inverse_mass == 0) return 0;
-    return 0.5 * sc_dot(velocity, velocity) / inverse_mass + 0.5 * sc_dot(spin, sc_solve(inverse_inertia, spin));
+    return 0.5 * sc_dot(velocity, velocity) / inverse_mass + 0.5 * sc_dot(spin, sc_solve_mat(inverse_inertia, spin));
   }
 };
 
@@ -151,7 +151,7 @@ sc_vec angular_momentum(const Pair& p, sc_vec place_a, sc_vec place_b) {
   for (const auto& [body, place] : {std::pair(p.a, place_a), std::pair(p.b, place_b)}) {
     if (body.inverse_mass == 0) continue;
     out = sc_add(out, sc_cross(place, sc_scale(1 / body.inverse_mass, body.velocity)));
-    out = sc_add(out, sc_solve(body.inverse_inertia, body.spin));
+    out = sc_add(out, sc_solve_mat(body.inverse_inertia, body.spin));
   }
   return out;
 }
@@ -161,7 +161,7 @@ double largest_moment(const Pair& p, sc_vec place_a, sc_vec place_b) {
   double out = 0;
   for (const auto& [body, place] : {std::pair(p.a, place_a), std::pair(p.b, place_b)}) {
     const sc_vec diagonal{body.inverse_inertia.x.x, body.inverse_inertia.y.y, body.inverse_inertia.z.z};
-    const double stiffest = sc_norm(sc_solve(body.inverse_inertia, {1, 1, 1}));
+    const double stiffest = sc_norm(sc_solve_mat(body.inverse_inertia, {1, 1, 1}));
     out += sc_norm(place) * sc_norm(body.velocity) / body.inverse_mass;
     out += stiffest * sc_norm(body.spin) * (1 + stiffest * sc_norm(diagonal));
   }

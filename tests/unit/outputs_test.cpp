@@ -146,6 +146,22 @@ TEST(Outputs, WithoutIntervalsAreFirstAndLastFrameAndTwoHundredRows) {
   EXPECT_FALSE(fs::exists(space / "run/tracks.csv"));
 }
 
+TEST(Outputs, ColumnsOfHardCollisionsAndOfOutletsStandUnderTheirNames) {
+  const TemporaryDirectory space;
+  run_case(case_of(ball_text() + "[[outlets]]\nname = \"sky\"\nface = \"z_max\"\n[contact]\ncollision = \"hard\"\n",
+                   {"particles.ball.velocity=[0, 0, 10]", "output.series=0.003"}),
+           into(space / "run"));
+  const auto last = [&](const std::string& name) { return column(space / "run/series.csv", name).back(); };
+  EXPECT_EQ(last("particles"), 0);
+  EXPECT_EQ(last("collisions"), 0);
+  EXPECT_EQ(last("work_relocation"), 0);
+  EXPECT_FALSE(std::signbit(last("work_relocation")));
+  EXPECT_EQ(last("inserted_count"), 0);
+  EXPECT_EQ(last("removed_count"), 2);
+  EXPECT_NEAR(last("removed_mass"), 2 * 1.3089969e-3, 1e-9);
+  EXPECT_EQ(last("outlet_sky_count"), 2);
+}
+
 TEST(Outputs, TheLastTwoCheckpointsStay) {
   const TemporaryDirectory space;
   run_case(case_of(ball_text(), {"output.checkpoints=0.0035"}), into(space / "run"));

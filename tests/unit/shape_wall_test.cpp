@@ -1,6 +1,7 @@
 // Particles that are no spheres at walls of every kind: against spheres, closed forms and conservation.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -287,6 +288,28 @@ TEST(ShapeWall, EllipsoidSwingingRoundAPipeKeepsItsEnergy) {
   }
   EXPECT_GT(touched, 500);
   EXPECT_LT(worst, 1e-3);
+}
+
+// A rod across the bottom of a pipe lies on its two ends; as it turns along the pipe they become one place.
+TEST(ShapeWall, PlacesThatHaveBecomeOneKeepOneMemory) {
+  const std::string pipe =
+      "[gravity]\ntype = \"uniform\"\nacceleration = [0, 0, -10]\n"
+      "[[walls]]\ntype = \"cylinder\"\nmaterial = \"glass\"\nstart = [-1, 0, 0.3]\nend = [1, 0, 0.3]\nradius = 0.3\n";
+  const std::string text = head(5e-4, "tangential = \"none\"", "stiffness = 2e4\nrestitution = 0.4") + pipe +
+                           body_text("shape = \"ellipsoid\"\nhalf_axes = [0.2, 0.03, 0.03]\n", sc_make_vec(0, 0, 0.1),
+                                     "[0, 0, 0]", "{ axis = [0, 0, 1], angle = \"50 deg\" }");
+  Simulation s(case_of(text), Team{1});
+  int with_one = 0, with_two = 0;
+  for (int k = 0; k < 4000; ++k) {
+    s.step();
+    const auto& active = s.system().wall_contacts.active;
+    const auto remembered = static_cast<std::int64_t>(active.size()) - std::count(active.begin(), active.end(), 0);
+    ASSERT_EQ(remembered, s.findings().contacts) << k;
+    with_one += remembered == 1;
+    with_two += remembered == 2;
+  }
+  EXPECT_GT(with_one, 10);
+  EXPECT_GT(with_two, 10);
 }
 
 TEST(ShapeWall, MovingWallHitsAsABodyDoes) {

@@ -16,7 +16,8 @@ struct Measured {
   // Work done on the particles since the start by body forces, by drag, and by bodies and walls that move as
   // prescribed [J].
   double body_work = 0, drag_work = 0, prescribed_work = 0, wall_work = 0;
-  // Energy that uniform gravity took from bodies which were moved apart without a velocity (hard collisions) [J].
+  // Potential energy that bodies gained in uniform gravity as they were moved apart without a velocity (hard
+  // collisions) [J].
   double relocation_work = 0;
   // Energy lost since the start, positive [J].
   double dissipated_normal = 0, dissipated_sliding = 0, dissipated_rolling = 0;

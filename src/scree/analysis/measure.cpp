@@ -29,13 +29,13 @@ struct Sums {
       loss[k].add(p.loss.row(i)[k]);
       work[k].add(p.work.row(i)[k]);
     }
-    add(impulse, vector_at(p.impulse.row(i)));
-    add(angular_impulse, vector_at(p.angular_impulse.row(i)));
+    add(impulse, vec_of(p.impulse.row(i)));
+    add(angular_impulse, vec_of(p.angular_impulse.row(i)));
     if (p.motion.row(i)[lane::inverse_mass] == 0) return;
     const Holdings h = holdings_of(p, i);
     kinetic.add(h.kinetic);
     rotational.add(h.rotational);
-    scale.add(p.mass[i] * sc_norm(vector_at(p.motion.row(i) + lane::vx)));
+    scale.add(p.mass[i] * sc_norm(vec_of(p.motion.row(i) + lane::vx)));
     free_mass.add(p.mass[i]);
     add(momentum, h.momentum);
     add(angular, h.angular_momentum);
@@ -62,7 +62,7 @@ Measured measure(const Sample& sample, const Fields& fields, double time, const 
   out.dissipated_normal = s.loss[0].value();
   out.dissipated_sliding = s.loss[1].value();
   out.dissipated_rolling = s.loss[2].value();
-  out.relocation_work = -s.loss[3].value();
+  out.relocation_work = 0.0 - s.loss[3].value();
   out.inserted = passage.inserted.energy.value();
   out.removed = passage.removed.energy.value();
   out.momentum = s.momentum.value();
@@ -84,7 +84,7 @@ Speeds measure_speeds(const Sample& sample) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p.motion.row(i)[lane::inverse_mass] == 0) continue;
-    const double speed = sc_norm(vector_at(p.motion.row(i) + lane::vx));
+    const double speed = sc_norm(vec_of(p.motion.row(i) + lane::vx));
     out.largest = std::max(out.largest, speed);
     sum.add(speed);
     ++count;

@@ -89,7 +89,7 @@ ParticleSystem build_system(const Case& c, Fields& fields, Takeover takeover) {
     s.laws = {SC_NORMAL_LINEAR, SC_TANGENTIAL_NONE, SC_ROLLING_NONE, SC_TWISTING_NONE, SC_COHESION_NONE};
   }
   s.contacts.remembers_shapes = s.particles.shaped();
-  s.contacts.remembers_rolling = s.hard || s.laws.rolling != SC_ROLLING_NONE || s.laws.twisting != SC_TWISTING_NONE;
+  s.contacts.remembers_rolling = remembers_rolling(c);
   return s;
 }
 

@@ -14,21 +14,12 @@
 namespace scree {
 namespace {
 
-/// Contacts with memory, by key; directions are those from the lower id to the higher.
-struct KeyedPairs {
+/// Contacts with memory, by key: of pairs the ids, with directions from the lower to the higher; of walls id and face.
+struct KeyedContacts {
   std::vector<std::int64_t> ids;  // [contacts][2]
   std::vector<double> memory;     // [contacts][9]: slide x y z, approach, roll x y z, twist, slid
-  std::vector<double> shape;      // [contacts][6] of PairContacts::shape, or empty
+  std::vector<double> shape;      // [contacts][what of the memory of shapes lasts], or empty
 };
-
-struct KeyedWalls {
-  std::vector<std::int64_t> ids;  // [contacts][2]: particle, face
-  std::vector<double> memory;     // [contacts][9]
-  std::vector<double> shape;      // [contacts][wall_scratch] with shapes, else empty
-};
-
-/// What of a row of PairContacts::shape changes bits.
-constexpr std::size_t shape_memory = 6;
 
 /// Order of rows of two numbers.
 std::vector<std::size_t> order_of(const std::vector<std::int64_t>& keys) {
@@ -52,6 +43,14 @@ void reorder(std::vector<T>& table, const std::vector<std::size_t>& order) {
   table = std::move(out);
 }
 
+KeyedContacts in_order(KeyedContacts contacts) {
+  const std::vector<std::size_t> order = order_of(contacts.ids);
+  reorder(contacts.ids, order);
+  reorder(contacts.memory, order);
+  reorder(contacts.shape, order);
+  return contacts;
+}
+
 /// The memory of contact c of a list that holds pairs or walls.
 template <class Contacts>
 void append_memory(std::vector<double>& to, const Contacts& contacts, std::size_t c, double sign) {
@@ -63,8 +62,8 @@ void append_memory(std::vector<double>& to, const Contacts& contacts, std::size_
   to.push_back(contacts.active[c] == contact_code(true, true) ? 1.0 : 0.0);
 }
 
-KeyedPairs keyed_pairs(const ParticleSystem& s) {
-  KeyedPairs out;
+KeyedContacts keyed_pairs(const ParticleSystem& s) {
+  KeyedContacts out;
   for (std::size_t c = 0; c < s.contacts.pairs.count; ++c) {
     if (!s.contacts.active[c]) continue;
     const std::int64_t a = s.particles.id[s.contacts.pairs.owner[c]], b = s.particles.id[s.contacts.pairs.partner[c]];
@@ -72,18 +71,14 @@ KeyedPairs keyed_pairs(const ParticleSystem& s) {
     out.ids.push_back(std::max(a, b));
     append_memory(out.memory, s.contacts, c, a < b ? 1 : -1);
     if (!s.contacts.remembers_shapes) continue;
-    const double* shape = &s.contacts.shape[8 * c];
-    out.shape.insert(out.shape.end(), shape, shape + shape_memory);
+    const double* shape = &s.contacts.shape[pair_memory * c];
+    out.shape.insert(out.shape.end(), shape, shape + pair_scratch);
   }
-  const std::vector<std::size_t> order = order_of(out.ids);
-  reorder(out.ids, order);
-  reorder(out.memory, order);
-  reorder(out.shape, order);
-  return out;
+  return in_order(std::move(out));
 }
 
-KeyedWalls keyed_walls(const ParticleSystem& s) {
-  KeyedWalls out;
+KeyedContacts keyed_walls(const ParticleSystem& s) {
+  KeyedContacts out;
   for (std::size_t p = 0; p + 1 < s.wall_contacts.first.size(); ++p)
     for (std::int32_t w = s.wall_contacts.first[p]; w < s.wall_contacts.first[p + 1]; ++w) {
       if (!s.wall_contacts.active[w]) continue;
@@ -94,11 +89,7 @@ KeyedWalls keyed_walls(const ParticleSystem& s) {
       const double* shape = &s.wall_contacts.shape[wall_memory * std::size_t(w)];
       out.shape.insert(out.shape.end(), shape, shape + wall_scratch);
     }
-  const std::vector<std::size_t> order = order_of(out.ids);
-  reorder(out.ids, order);
-  reorder(out.memory, order);
-  reorder(out.shape, order);
-  return out;
+  return in_order(std::move(out));
 }
 
 /// -0 and 0 are the same state.
@@ -125,7 +116,7 @@ PairContacts contacts_of(std::span<const std::int64_t> ids, std::span<const doub
   out.active.resize(count);
   out.slide.resize(4 * count);
   if (rolling) out.roll.resize(4 * count);
-  if (p.shaped()) out.shape.resize(8 * count);
+  if (p.shaped()) out.shape.resize(pair_memory * count);
   for (std::size_t c = 0; c < count; ++c) {
     const auto a = row.find(ids[2 * c]), b = row.find(ids[2 * c + 1]);
     if (a == row.end() || b == row.end()) throw InputError("a contact names a particle that is not there");
@@ -134,7 +125,7 @@ PairContacts contacts_of(std::span<const std::int64_t> ids, std::span<const doub
     out.active[c] = contact_code(true, memory[9 * c + 8] != 0);
     std::copy_n(&memory[9 * c], 4, &out.slide[4 * c]);
     if (rolling) std::copy_n(&memory[9 * c + 4], 4, &out.roll[4 * c]);
-    if (p.shaped()) std::copy_n(&shape[shape_memory * c], shape_memory, &out.shape[8 * c]);
+    if (p.shaped()) std::copy_n(&shape[pair_scratch * c], pair_scratch, &out.shape[pair_memory * c]);
   }
   return out;
 }
@@ -195,11 +186,11 @@ std::string Simulation::state_hash() const {
     add(p.orientation.row(i), 4);
     add(p.angular_momentum.row(i), 3);  // the way of the surface serves the lists, which change nothing
   }
-  const KeyedPairs pairs = keyed_pairs(system_);
+  const KeyedContacts pairs = keyed_pairs(system_);
   hash.update(pairs.ids.data(), pairs.ids.size() * sizeof(std::int64_t));
   add(pairs.memory.data(), static_cast<int>(pairs.memory.size()));
   add(pairs.shape.data(), static_cast<int>(pairs.shape.size()));
-  const KeyedWalls walls = keyed_walls(system_);
+  const KeyedContacts walls = keyed_walls(system_);
   hash.update(walls.ids.data(), walls.ids.size() * sizeof(std::int64_t));
   add(walls.memory.data(), static_cast<int>(walls.memory.size()));
   add(walls.shape.data(), static_cast<int>(walls.shape.size()));
@@ -221,11 +212,11 @@ Archive Simulation::save() const {
   p.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
     if (saved) out.put(std::string(name), std::move(column.values), column.components);
   });
-  KeyedPairs pairs = keyed_pairs(system_);
+  KeyedContacts pairs = keyed_pairs(system_);
   out.put("pair_ids", std::move(pairs.ids), 2);
   out.put("pair_memory", std::move(pairs.memory), 9);
-  if (system_.particles.shaped()) out.put("pair_shape", std::move(pairs.shape), shape_memory);
-  KeyedWalls walls = keyed_walls(system_);
+  if (p.shaped()) out.put("pair_shape", std::move(pairs.shape), pair_scratch);
+  KeyedContacts walls = keyed_walls(system_);
   out.put("wall_ids", std::move(walls.ids), 2);
   out.put("wall_memory", std::move(walls.memory), 9);
   if (p.shaped()) out.put("wall_shape", std::move(walls.shape), wall_scratch);
@@ -245,14 +236,15 @@ void Simulation::restore(const Archive& archive) {
   tally_ = {archive.integer("contact_evaluations"), archive.integer("impacts"), archive.integer("impact_speed")};
   system_.particles = std::move(saved);
   system_.forms = forms_of(archive);
-  std::span<const double> pair_shape;
-  if (system_.particles.shaped()) pair_shape = archive.get<double>("pair_shape", shape_memory);
-  system_.contacts = contacts_of(archive.get<std::int64_t>("pair_ids", 2), archive.get<double>("pair_memory", 9),
-                                 pair_shape, system_.particles, system_.contacts.remembers_rolling);
   const bool shaped = system_.particles.shaped();
-  const auto of_shapes = shaped ? archive.get<double>("wall_shape", wall_scratch) : std::span<const double>();
+  const auto rows = [&](const char* name, int width) {
+    return shaped ? archive.get<double>(name, width) : std::span<const double>();
+  };
+  system_.contacts =
+      contacts_of(archive.get<std::int64_t>("pair_ids", 2), archive.get<double>("pair_memory", 9),
+                  rows("pair_shape", pair_scratch), system_.particles, system_.contacts.remembers_rolling);
   system_.wall_contacts = walls_of(archive.get<std::int64_t>("wall_ids", 2), archive.get<double>("wall_memory", 9),
-                                   of_shapes, system_.particles, system_.walls.size());
+                                   rows("wall_shape", wall_scratch), system_.particles, system_.walls.size());
   lists_ = prepare_lists(system_, case_.simulation.skin);
   findings_.fastest2 = fastest_square(system_.particles);
   sampled_step_ = -1;

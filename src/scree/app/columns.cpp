@@ -53,10 +53,10 @@ std::vector<std::string> series_columns(const Case& c) {
                                     "mean_speed",
                                     "collision_speed",
                                     "stickiness"};
+  if (is_hard(c)) names.insert(names.end(), {"work_relocation", "collisions"});
   if (!build_feeds(c).empty() || !c.outlets.empty())
     names.insert(names.end(), {"inserted_count", "inserted_mass", "inserted_energy", "removed_count", "removed_mass",
                                "removed_energy"});
-  if (is_hard(c)) names.insert(names.end(), {"work_relocation", "collisions"});
   for (const OutletKeys& outlet : c.outlets)
     names.insert(names.end(), {"outlet_" + outlet.name + "_count", "outlet_" + outlet.name + "_mass"});
   if (c.analysis.agglomerates)

@@ -29,13 +29,13 @@ struct PassedRow {
 
 PassedRow passed_of(const Exchange& exchange);
 
-/// One row of the series.
 /// What hard collisions add to a row.
 struct HardRow {
   double work_relocation = 0;   // [J]
   std::int64_t collisions = 0;  // of pairs, since the start
 };
 
+/// One row of the series.
 struct SeriesRow {
   double time = 0;  // [s]
   std::int64_t step = 0;

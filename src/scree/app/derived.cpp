@@ -161,10 +161,8 @@ DerivedCost derive_cost(const Case& c, const std::vector<BodyKind>& kinds, doubl
   }
   const double n = static_cast<double>(out.particles);
   out.solid_fraction = volume / (extent(c, 0) * extent(c, 1) * extent(c, 2));
-  const bool rolls =
-      is_hard(c) || c.contact.laws.rolling != SC_ROLLING_NONE || c.contact.laws.twisting != SC_TWISTING_NONE;
   out.bytes_per_particle = static_cast<double>(Particles::bytes_per_particle(has_shapes(c)));
-  out.bytes_per_pair = static_cast<double>(bytes_per_pair(rolls, has_shapes(c)));
+  out.bytes_per_pair = static_cast<double>(bytes_per_pair(remembers_rolling(c), has_shapes(c)));
   out.pairs_per_particle = expected_pairs(c, out.solid_fraction);
   out.memory = n * (out.bytes_per_particle + out.pairs_per_particle * out.bytes_per_pair);
   add_output_cost(c, steps, out);

@@ -11,6 +11,7 @@
 #include "scree/app/frame_fields.h"
 #include "scree/app/wall_surface.h"
 #include "scree/input/checks.h"
+#include "scree/particles/sweep_view.h"
 
 namespace scree {
 namespace {
@@ -99,7 +100,8 @@ void add_output_cost(const Case& c, double steps, DerivedCost& cost) {
       bytes_per_frame_file;
   cost.row_bytes =
       bytes_per_number * static_cast<double>(series_columns(c).size() + output.tracks.size() * track_columns().size());
-  cost.checkpoint_bytes = n * (cost.bytes_per_particle + cost.pairs_per_particle * bytes_per_contact);
+  const double per_contact = bytes_per_contact + (has_shapes(c) ? pair_scratch * sizeof(double) : 0);
+  cost.checkpoint_bytes = n * (cost.bytes_per_particle + cost.pairs_per_particle * per_contact);
   // Every candidate counts as a contact: more than touch, which leaves room for those with walls.
   if (output.contacts)
     cost.contact_bytes =

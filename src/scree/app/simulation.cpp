@@ -78,10 +78,7 @@ void Simulation::advance_particles() {
   const SweepView view = view_of(system_, lists_, move_now(), contact_time_now(), field);
   // The trapezoidal rule moves a particle by the mean of its speeds before and after.
   const double before2 = move_now().scheme == SC_LEAPFROG ? 0.0 : findings_.fastest2;
-  findings_ = agree(ranks_, sweep(lists_.kernels, view, lists_.plan));
-  tally_.contacts += findings_.contacts;
-  tally_.impacts += findings_.impacts;
-  tally_.impact_speed += findings_.impact_speed;
+  take(sweep(lists_.kernels, view, lists_.plan));
   note_ways(std::sqrt(std::max(before2, findings_.fastest2)) * clock_.dt);
 }
 
@@ -101,11 +98,16 @@ void Simulation::collide_particles() {
   sc_move in_the_middle = move;
   in_the_middle.rotation = frame_rotation(fields_, middle);
   push_and_hold(system_, lists_, *system_.hard, in_the_middle, field, hard_);
-  findings_ = agree(ranks_, hard_.findings);
+  take(hard_.findings);
+  note_ways(hard_.way);
+}
+
+/// Takes and counts what a step has found.
+void Simulation::take(SweepFindings findings) {
+  findings_ = agree(ranks_, findings);
   tally_.contacts += findings_.contacts;
   tally_.impacts += findings_.impacts;
   tally_.impact_speed += findings_.impact_speed;
-  note_ways(hard_.way);
 }
 
 /// Notes how far particles and walls went in this step.

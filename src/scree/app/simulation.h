@@ -66,8 +66,6 @@ class Simulation {
   const std::optional<CohesiveImpact>& typical_impact() const { return typical_impact_; }
   const Tally& tally() const { return tally_; }
   const SweepFindings& findings() const { return findings_; }
-  /// The last step of the hard model.
-  const HardStep& hard() const { return hard_; }
   const StageSeconds& stages() const { return stages_; }
   StageSeconds& stages() { return stages_; }
   const char* instruction_set() const { return lists_.kernels.name; }
@@ -81,6 +79,7 @@ class Simulation {
   void evaluate_fields(double time);
   void advance_particles();
   void collide_particles();
+  void take(SweepFindings findings);
   void guard() const;
 
   /// Whether a pass needs to know what acts at each particle.

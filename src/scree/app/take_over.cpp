@@ -116,6 +116,23 @@ bool takes_over(const Case& c) {
                      [](const ParticleKeys& keys) { return keys.insert == "checkpoint"; });
 }
 
+namespace {
+
+/// What needs spheres refuses others that come from a checkpoint, as it does those of a group.
+void refuse_shapes(const Case& c, const ParticleKeys& keys, const std::string& origin) {
+  const auto refuse = [&](bool chosen, const char* what, const char* help) {
+    if (chosen)
+      throw at(c, keys, "checkpoint",
+               {"E164", {}, fmt::format("{} for spheres only", what), origin + " holds other particles", help});
+  };
+  refuse(is_hard(c), "hard collisions are there", "set contact.collision = 'soft'");
+  refuse(c.contact.laws.cohesion != SC_COHESION_NONE, "cohesion is there", "set contact.cohesion = 'none'");
+  refuse(c.gravity.type == "rotating", "a rotating frame is there",
+         "turn the walls ([walls.motion]) instead of the frame");
+}
+
+}  // namespace
+
 std::vector<GivenParticle> take_over(const Case& c, const ParticleKeys& keys) {
   const Archive archive = checkpoint_of(c, keys);
   const Particles p = particles_of(archive);
@@ -140,6 +157,7 @@ std::vector<GivenParticle> take_over(const Case& c, const ParticleKeys& keys) {
       const double* q = p.orientation.row(i);
       taken.back().orientation = sc_make_quat(q[0], q[1], q[2], q[3]);
       taken.back().shape = forms.at(static_cast<std::size_t>(p.form[i]));
+      if (p.form[i] != 0) refuse_shapes(c, keys, archive.origin);
     }
     largest = std::max(largest, 2 * m[lane::radius]);
   }

@@ -7,6 +7,8 @@
 namespace scree {
 namespace {
 
+constexpr double ball = 4.1887902047863909846;  // volume of the unit ball, 4 pi/3
+
 /// log of the gamma function for x > 0: Stirling's series above 10, and the recurrence below. With the logarithm of
 /// physics/math.h, so that the mass of a body has the same bits with every library.
 double log_gamma(double x) {
@@ -38,7 +40,7 @@ double bounding_radius(const Axes& half_axes, double e1, double e2) {
 
 double superellipsoid_volume(const Axes& half_axes, double e1, double e2) {
   const auto [a, b, c] = half_axes;
-  if (e1 == 1 && e2 == 1) return 4.1887902047863909846 * (a * b * c);
+  if (e1 == 1 && e2 == 1) return ball * (a * b * c);
   return 2 * (a * b * c) * (e1 * e2) * (beta(0.5 * e1 + 1, e1) * beta(0.5 * e2, 0.5 * e2));
 }
 
@@ -65,7 +67,7 @@ Form make_form_at_radius_one(const Axes& axes, double e1, double e2) {
   form.exponents = {e1, e2};
   form.volume = superellipsoid_volume(axes, e1, e2);
   form.inertia = superellipsoid_inertia(axes, e1, e2);
-  form.equivalent_radius = form.shape.is_sphere ? 1 : sc_cbrt(form.volume / 4.1887902047863909846);
+  form.equivalent_radius = form.shape.is_sphere ? 1 : sc_cbrt(form.volume / ball);
   return form;
 }
 

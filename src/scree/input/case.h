@@ -319,6 +319,12 @@ struct Case {
 /// Whether collisions are impulses.
 inline bool is_hard(const Case& c) { return c.contact.collision == "hard"; }
 
+/// Whether contacts remember what rolling laws need. Hard collisions keep an impulse there.
+inline bool remembers_rolling(const Case& c) {
+  const sc_laws& laws = c.contact.laws;
+  return is_hard(c) || laws.rolling != SC_ROLLING_NONE || laws.twisting != SC_TWISTING_NONE;
+}
+
 /// Whether the case has groups of particles that are no spheres. Those of a checkpoint are not known here.
 inline bool has_shapes(const Case& c) {
   return std::any_of(c.particles.begin(), c.particles.end(),

@@ -19,7 +19,8 @@ const Section& hard_section() {
            "collisions at its square")
            .between(0, 1),
        key("threshold", &S::threshold,
-           "approaches up to this speed are no collisions: they end without restitution, as contacts at rest do")
+           "approaches up to this speed are no collisions: they end without restitution, as contacts at rest do; "
+           "with order = 'sequential' they are left alone")
            .unit("m/s")
            .at_least(0)
            .defaults_to("twice the speed that uniform gravity gives in a step; 0 without"),

@@ -10,7 +10,8 @@ InputError error_at(const Case& c, const std::string& path, Problem problem) {
     return InputError(render(c.text->sources, {problem}, c.text->colour));
   }
   const std::string help = problem.help.empty() ? "" : "\n  = help: " + problem.help;
-  return InputError(fmt::format("{}: {}: {}{}", path, problem.message, problem.note, help));
+  const std::string note = problem.note.empty() ? "" : ": " + problem.note;
+  return InputError(fmt::format("{}: {}{}{}", path, problem.message, note, help));
 }
 
 }  // namespace scree

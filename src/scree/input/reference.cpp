@@ -56,7 +56,9 @@ std::string reference_markdown() {
   std::string out =
       "# Reference of the case file\n\n"
       "Written by `scree explain --markdown` from the table that also drives the parser; do not edit it by hand.\n\n"
-      "A case is a TOML file. Keys that are not known, or have no effect, are errors. Tables in double brackets may be "
+      "A case is a TOML file. Keys that are not known, or that another key of their table puts out of effect, are "
+      "errors; what only soft or only hard collisions read may stand beside the other. Tables in double brackets may "
+      "be "
       "repeated.\nA restart may change " +
       changeable_keys() + ".\n\n| table | meaning |\n|---|---|\n";
   for (const Key& key : case_section().keys)

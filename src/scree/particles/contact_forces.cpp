@@ -5,13 +5,12 @@
 #include <utility>
 
 #include "scree/particles/contact_state.h"
+#include "scree/particles/rows.h"
 #include "scree/particles/shapes.h"
 #include "scree/physics/touch/shape_contact.h"
 
 namespace scree {
 namespace {
-
-sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
 
 ContactForce of_pair(const Sample& sample, std::size_t c) {
   const ParticleSystem& s = sample.system;

@@ -1,5 +1,6 @@
 #include "scree/particles/contact_state.h"
 
+#include "scree/particles/rows.h"
 #include "scree/particles/shapes.h"
 #include "scree/physics/contact/law.h"
 #include "scree/physics/touch/body_wall.h"
@@ -7,8 +8,6 @@
 
 namespace scree {
 namespace {
-
-sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
 
 sc_contact_state state_of(const Buffer<std::uint8_t>& active, const Buffer<double>& slide, const Buffer<double>& roll,
                           std::size_t c) {
@@ -45,7 +44,8 @@ sc_touch touch_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t face
 sc_body_gap gap_of_shape(const ParticleSystem& s, std::size_t p, std::int32_t w) {
   const std::size_t face = static_cast<std::size_t>(s.wall_contacts.wall[w]);
   const sc_wall_pose& pose = s.walls.pose_of(face);
-  const sc_vec centre = vec_of(s.particles.motion.row(p)), anchor = vec_of(&s.wall_contacts.shape[wall_memory * w]);
+  const sc_vec centre = vec_of(s.particles.motion.row(p)),
+               anchor = vec_of(&s.wall_contacts.shape[wall_memory * std::size_t(w)]);
   sc_body_gap gaps[SC_FRUSTUM_GAPS];
   const int count = sc_body_to_wall(s.walls.faces[face], pose, body_shape(s.particles, p, s.forms), centre, gaps);
   const auto away = [&](int k) {
@@ -59,7 +59,7 @@ sc_body_gap gap_of_shape(const ParticleSystem& s, std::size_t p, std::int32_t w)
 
 sc_contact_energy energy_of_shape_at_wall(const ParticleSystem& s, std::size_t p, std::int32_t w,
                                           const sc_pair_law& law, const sc_contact_state& state) {
-  const double* row = &s.wall_contacts.shape[wall_memory * w];
+  const double* row = &s.wall_contacts.shape[wall_memory * std::size_t(w)];
   const sc_wall_memory memory{vec_of(row), row[3], row[7]};
   const sc_body_gap gap = gap_of_shape(s, p, w);
   const sc_body_side wall{sc_zero_vec(), sc_zero_vec(), 0};
@@ -82,7 +82,7 @@ sc_shape_touch touch_of_shapes(const ParticleSystem& s, std::size_t c) {
   const bool owner_first = s.particles.id[i] < s.particles.id[j];
   const sc_vec branch = branch_of_pair(s, c);
   const sc_body_shape owner = body_shape(s.particles, i, s.forms), partner = body_shape(s.particles, j, s.forms);
-  const double* m = &s.contacts.shape[8 * c];
+  const double* m = &s.contacts.shape[pair_memory * c];
   const sc_shape_touch found =
       sc_touch_shapes(owner_first ? owner : partner, owner_first ? partner : owner,
                       owner_first ? branch : sc_scale(-1, branch), s.contacts.active[c] != 0, {vec_of(m), m[3]});
@@ -124,7 +124,8 @@ sc_contact_energy energy_of_pair(const ParticleSystem& s, std::size_t c) {
   if (is_sphere(s.particles, i) && is_sphere(s.particles, j))
     return sc_contact_energy_of(s.laws, law, touch_of_pair(s, c).touch, state_of_pair(s, c));
   const sc_shape_touch found = touch_of_shapes(s, c);
-  const double *memory = &s.contacts.shape[8 * c], excess = s.particles.effect_excess[i] + s.particles.effect_excess[j];
+  const double *memory = &s.contacts.shape[pair_memory * c],
+               excess = s.particles.effect_excess[i] + s.particles.effect_excess[j];
   const sc_contact_place place = sc_place_of_shapes(found, memory[5]);
   const sc_touch touch = sc_touch_at(place, side_of(s.particles, i), side_of(s.particles, j), excess);
   return sc_contact_energy_of(s.laws, sc_law_of_growth(law, memory[4] / found.support), touch, state_of_pair(s, c));

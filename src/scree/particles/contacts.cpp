@@ -15,7 +15,7 @@ PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::ve
   out.active.resize(padded);
   out.slide.resize(4 * padded);
   if (out.remembers_rolling) out.roll.resize(4 * padded);
-  if (out.remembers_shapes) out.shape.resize(8 * padded);
+  if (out.remembers_shapes) out.shape.resize(pair_memory * padded);
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < old.pairs.count; ++c) {
     if (!old.active[c]) continue;
@@ -31,7 +31,7 @@ PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::ve
     out.active[to] = old.active[c];
     for (int k = 0; k < 3; ++k) out.slide[4 * to + k] = sign * old.slide[4 * c + k];
     out.slide[4 * to + 3] = old.slide[4 * c + 3];
-    if (out.remembers_shapes) std::copy_n(&old.shape[8 * c], 8, &out.shape[8 * to]);
+    if (out.remembers_shapes) std::copy_n(&old.shape[pair_memory * c], pair_memory, &out.shape[pair_memory * to]);
     if (!out.remembers_rolling) continue;
     for (int k = 0; k < 3; ++k) out.roll[4 * to + k] = sign * old.roll[4 * c + k];
     out.roll[4 * to + 3] = old.roll[4 * c + 3];

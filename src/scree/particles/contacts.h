@@ -20,9 +20,9 @@ struct PairContacts {
   Buffer<std::uint8_t> active;  // contact_code() of the last evaluation
   Buffer<double> slide;         // [pairs][4]: stretch of the tangential spring x y z, approach velocity
   Buffer<double> roll;  // [pairs][4]: stretch of the rolling spring x y z, of the twisting spring; empty if unused
-  // [pairs][8], empty in a system of spheres: what sc_shape_memory holds (point x y z and share, distance at first
-  // touch, radius; the point in the frame of the body that the solver starts from), and the way of both surfaces up to
-  // which the pair is known to be apart, which changes no bits.
+  // [pairs][pair_memory], empty in a system of spheres: what sc_shape_memory holds (point x y z and share, distance at
+  // first touch, radius; the point in the frame of the body that the solver starts from), and the way of both surfaces
+  // up to which the pair is known to be apart, which changes no bits.
   Buffer<double> shape;
   bool remembers_rolling = false, remembers_shapes = false;
 };
@@ -59,7 +59,7 @@ struct SweepPlan {
 /// Memory of one candidate pair: who takes part, what it remembers, its slot and its two gather entries [bytes].
 inline constexpr std::size_t bytes_per_pair(bool remembers_rolling, bool remembers_shapes) {
   return 2 * sizeof(std::int32_t) + sizeof(std::uint8_t) + (remembers_rolling ? 8 : 4) * sizeof(double) +
-         (remembers_shapes ? 8 * sizeof(double) : 0) + sizeof(std::int32_t) + 2 * sizeof(std::uint32_t);
+         (remembers_shapes ? pair_memory * sizeof(double) : 0) + sizeof(std::int32_t) + 2 * sizeof(std::uint32_t);
 }
 
 /// Plans a sweep over `pairs` by `threads` threads, each with as much work at pairs and walls as the others.

@@ -1,6 +1,7 @@
 // What one particle holds: energy, momentum, and what uniform gravity has done to it.
 #pragma once
 
+#include "scree/particles/rows.h"
 #include "scree/particles/system.h"
 
 namespace scree {
@@ -12,25 +13,23 @@ struct Holdings {
   sc_vec angular_momentum{};           // about the origin [kg m2/s]
 };
 
-inline sc_vec vector_at(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
-
 inline Holdings holdings_of(const Particles& p, std::size_t i) {
   const double* m = p.motion.row(i);
   Holdings out;
   if (m[lane::inverse_mass] == 0) return out;
   const double mass = p.mass[i];
-  const sc_vec v = vector_at(m + lane::vx), rim = vector_at(p.spin.row(i));
+  const sc_vec v = vec_of(m + lane::vx), rim = vec_of(p.spin.row(i));
   out.kinetic = 0.5 * mass * sc_dot(v, v);
   out.momentum = sc_scale(mass, v);
   sc_vec own;
   if (p.shaped()) {
-    own = vector_at(p.angular_momentum.row(i));
+    own = vec_of(p.angular_momentum.row(i));
     out.rotational = 0.5 * p.spin.row(i)[lane::inverse_radius] * sc_dot(own, rim);
   } else {
     own = sc_scale(0.4 * mass * m[lane::radius], rim);
     out.rotational = 0.2 * mass * sc_dot(rim, rim);
   }
-  out.angular_momentum = sc_add(own, sc_scale(mass, sc_cross(vector_at(m), v)));
+  out.angular_momentum = sc_add(own, sc_scale(mass, sc_cross(vec_of(m), v)));
   return out;
 }
 

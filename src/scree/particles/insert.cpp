@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scree/base/audit.h"
 #include "scree/base/error.h"
 #include "scree/particles/deviates.h"
 #include "scree/particles/insert_check.h"
@@ -80,6 +81,7 @@ bool same(const Form& a, const Form& b) { return a.exponents == b.exponents && a
 void fill_shape(Particles& particles, std::size_t row, const Forms& forms, const Form& shape, const sc_quat& q,
                 double diameter, const Place& w) {
   const auto form = std::find_if(forms.begin(), forms.end(), [&](const Form& f) { return same(f, shape); });
+  require(form != forms.end(), "every shape of the groups is among the forms");
   particles.form[row] = static_cast<std::int32_t>(form - forms.begin());
   const sc_quat unit = sc_quat_of_length_one(q);
   const double lanes[4] = {unit.w, unit.x, unit.y, unit.z};

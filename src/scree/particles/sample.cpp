@@ -9,11 +9,10 @@
 #include "scree/compute/launch.h"
 #include "scree/particles/contact_state.h"
 #include "scree/particles/hard/sample.h"
+#include "scree/particles/rows.h"
 
 namespace scree {
 namespace {
-
-sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
 
 struct StoredSums {
   ExactSum elastic, cohesive;

@@ -172,6 +172,8 @@ inline Gathered gather_walls_of_sphere(const SweepView& v, std::int64_t p, Sweep
         [&](std::int32_t w) {
           return counts(a, w, body.radius, growth, [&](std::int32_t u) { return vec_of(memory_row(v, u) + 4); });
         });
+  // Two places of a round wall may also have become one.
+  forget_dropped(a);
   for (std::int32_t w = a.begin; w < a.end; ++w)
     if (!(a.gap(w).corners & dropped)) add_shape_wall(a, w, body, g, findings);
   return g;

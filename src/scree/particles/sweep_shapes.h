@@ -35,7 +35,7 @@ struct ShapePair {
 
 inline ShapePair shape_pair(const SweepView& v, std::int64_t c) {
   const std::int64_t i = v.owner[c], j = v.partner[c];
-  return {i, j, v.shapes.id[i] < v.shapes.id[j], v.shapes.memory + 8 * c};
+  return {i, j, v.shapes.id[i] < v.shapes.id[j], v.shapes.memory + pair_memory * c};
 }
 
 /// The way that the surfaces of both have gone so far [m].

@@ -21,7 +21,9 @@ constexpr std::uint8_t contact_code(bool acted, bool slid) {
   return static_cast<std::uint8_t>(acted ? 1 + 2 * static_cast<int>(slid) : 0);
 }
 
-/// Numbers that a contact of a shape with a wall remembers besides, and the first of those that do not last.
+/// Numbers that a contact of a shape with a particle or with a wall remembers besides, and the first of those that do
+/// not last.
+inline constexpr int pair_memory = 8, pair_scratch = 6;
 inline constexpr int wall_memory = 12, wall_scratch = 8;
 
 /// Contacts with walls: those of particle p are first[p] ... first[p + 1] - 1, in the order of walls. They are

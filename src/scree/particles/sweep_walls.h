@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scree/particles/lanes.h"
+#include "scree/particles/rows.h"
 #include "scree/particles/sweep_view.h"
 #include "scree/physics/contact/law.h"
 
@@ -14,8 +15,6 @@ struct Gathered {
   lane4 turn{};    // lever * (normal x force) x y z, loss by sliding
   lane4 couple{};  // x y z, loss by rolling
 };
-
-[[gnu::always_inline]] inline sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
 
 /// Of two faces with a common edge or corner the nearer one counts, unless they are as near up to rounding.
 constexpr double nearer = 1 - 1e-12;
@@ -107,6 +106,12 @@ inline void take_over_memory(const AmongWalls& a, std::int32_t w) {
   }
 }
 
+/// What does not count keeps no memory.
+inline void forget_dropped(const AmongWalls& a) {
+  for (std::int32_t w = a.begin; w < a.end; ++w)
+    if ((a.gap(w).corners & dropped) && a.v.walls.active[w]) forget_wall(a.v, w);
+}
+
 /// Marks the faces that do not count, of those that are near, and hands their memory on.
 template <class Near, class Counts>
 inline void drop_faces(const AmongWalls& a, Near&& near, Counts&& counts) {
@@ -115,8 +120,6 @@ inline void drop_faces(const AmongWalls& a, Near&& near, Counts&& counts) {
     if (near(w) && !counts(w)) a.gap(w).corners |= dropped;
   for (std::int32_t w = a.begin; w < a.end; ++w)
     if (near(w) && !(a.gap(w).corners & dropped) && !v.walls.active[w]) take_over_memory(a, w);
-  for (std::int32_t w = a.begin; w < a.end; ++w)
-    if ((a.gap(w).corners & dropped) && v.walls.active[w]) forget_wall(v, w);
 }
 
 /// Finds the way to every face; marks those that do not count, and hands their memory on.
@@ -131,6 +134,7 @@ inline void find_gaps(const AmongWalls& a, const sc_sphere_wall& s) {
   drop_faces(
       a, [&](std::int32_t w) { return v.walls.active[w] || s.radius + v.margin > a.gap(w).distance; },
       [&](std::int32_t w) { return counts(a, w, s.radius); });
+  forget_dropped(a);
 }
 
 inline sc_contact_state wall_state(const SweepView& v, std::int32_t w) {

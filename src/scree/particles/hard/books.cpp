@@ -1,9 +1,9 @@
 #include "scree/particles/hard/books.h"
 
+#include "scree/particles/rows.h"
+
 namespace scree {
 namespace {
-
-sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
 
 void add(double* to, sc_vec v) {
   to[0] += v.x;

@@ -19,8 +19,7 @@ std::uint64_t scatter(std::uint64_t x) {
 
 std::uint64_t priority_of(const HardContact& c) {
   const auto part = [](std::int64_t x) { return static_cast<std::uint64_t>(x); };
-  const std::uint64_t kind = 2 * part(c.feature) + (c.at_wall() ? 1 : 0);
-  return scatter(scatter(scatter(part(c.low)) ^ part(c.high)) ^ kind);
+  return scatter(scatter(scatter(part(c.low)) ^ part(c.high)) ^ (c.at_wall() ? 1 : 0));
 }
 
 }  // namespace

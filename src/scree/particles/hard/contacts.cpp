@@ -154,7 +154,7 @@ void find_hard_contacts(ParticleSystem& s, ContactLists& lists, HardContacts& ou
   const SweepView view = view_of(s, lists, {}, {}, nullptr);
   if (s.walls.size()) find_walls(s, view, out.all);
   std::sort(out.all.begin(), out.all.end(), [](const HardContact& x, const HardContact& y) {
-    return std::tuple(x.at_wall(), x.low, x.high, x.feature) < std::tuple(y.at_wall(), y.low, y.high, y.feature);
+    return std::tuple(x.at_wall(), x.low, x.high) < std::tuple(y.at_wall(), y.low, y.high);
   });
   for (HardContact& c : out.all) look_again(s, c);
 }

@@ -24,7 +24,6 @@ struct HardContact {
   std::int32_t memory = 0;                   // place among the pairs, or among the contacts with walls
   std::int32_t face = -1;                    // of a wall
   std::int64_t low = 0, high = 0;            // key: ids; number of the face
-  std::int32_t feature = 0;                  // which of the points at which the two touch
   bool began = false;                        // did not touch one step before
   bool slid = false;                         // slid at the end of the step before
   sc_impact_law law{};                       // of the two materials
@@ -58,11 +57,11 @@ void find_hard_contacts(ParticleSystem& system, ContactLists& lists, HardContact
 void look_again(const ParticleSystem& system, HardContact& contact);
 
 /// Velocity of A at the contact point, seen from B [m/s].
-inline sc_vec contact_velocity(const HardContacts& h, const HardContact& c) {
-  const HardBody& a = h.bodies[c.a];
+inline sc_vec contact_velocity(const std::vector<HardBody>& bodies, const HardContact& c) {
+  const HardBody& a = bodies[c.a];
   const sc_vec at_a = sc_add(a.velocity, sc_cross(a.spin, c.arm_a));
   if (c.at_wall()) return sc_sub(at_a, c.surface);
-  const HardBody& b = h.bodies[c.b];
+  const HardBody& b = bodies[c.b];
   return sc_sub(at_a, sc_add(b.velocity, sc_cross(b.spin, c.arm_b)));
 }
 

@@ -19,7 +19,7 @@ void book_loss(HardContact& c, sc_vec impulse, sc_vec before, sc_vec after) {
 
 /// Approaches that end, one contact after the other.
 double strike(HardContacts& h, HardContact& c, double threshold, bool rub) {
-  const sc_vec before = contact_velocity(h, c);
+  const sc_vec before = contact_velocity(h.bodies, c);
   const double approach = -sc_dot(c.push, before);
   if (!(approach > threshold)) return 0;
   sc_impact_law law = c.law;
@@ -27,7 +27,7 @@ double strike(HardContacts& h, HardContact& c, double threshold, bool rub) {
   const sc_vec impulse = sc_impact(law, c.hold.response, c.push, before);
   give(h, c, impulse);
   c.struck = sc_add(c.struck, impulse);
-  book_loss(c, impulse, before, contact_velocity(h, c));
+  book_loss(c, impulse, before, contact_velocity(h.bodies, c));
   return approach;
 }
 
@@ -40,39 +40,31 @@ bool slides(const HardContact& c) {
 
 }  // namespace
 
-int collide(HardContacts& h, const HardSettings& settings, double gravity_speed) {
+void collide(HardContacts& h, const HardSettings& settings, double gravity_speed) {
   double fastest = 0;
   for (HardContact& c : h.all) {
     c.hold.response = contact_response(h, c);
-    c.approach = std::max(0.0, -sc_dot(c.push, contact_velocity(h, c)));
+    c.approach = std::max(0.0, -sc_dot(c.push, contact_velocity(h.bodies, c)));
     fastest = std::max(fastest, c.approach);
   }
   const double threshold = settings.threshold.value_or(2 * gravity_speed);
-  if (fastest <= threshold) return 0;
+  if (fastest <= threshold) return;
   if (settings.sequential) {
     for (HardContact& c : h.all) strike(h, c, threshold, false);
-    return 1;
+    return;
   }
   const auto visit = [&](HardContact& c) { return strike(h, c, threshold, true); };
-  int sweep = 0;
-  while (sweep < settings.sweeps) {
-    ++sweep;
+  for (int sweep = 0; sweep < settings.sweeps; ++sweep)
     if (visit_all(h, visit) <= settings.residual * settings.residual * fastest) break;
-  }
-  return sweep;
 }
 
-int hold(HardContacts& h, const std::vector<HardBody>& before, const HardSettings& settings) {
+void hold(HardContacts& h, const std::vector<HardBody>& before, const HardSettings& settings) {
   double fastest = 0;
-  int sweep = 0;
   std::vector<sc_vec> start(h.all.size());
-  std::vector<HardBody> after = before;
-  h.bodies.swap(after);
-  for (std::size_t k = 0; k < h.all.size(); ++k) start[k] = contact_velocity(h, h.all[k]);
-  h.bodies.swap(after);
+  for (std::size_t k = 0; k < h.all.size(); ++k) start[k] = contact_velocity(before, h.all[k]);
   for (HardContact& c : h.all) {
     c.hold = sc_make_hold(c.push, contact_response(h, c), c.slid ? c.law.friction : c.law.friction_static);
-    fastest = std::max(fastest, -sc_dot(c.push, contact_velocity(h, c)));
+    fastest = std::max(fastest, -sc_dot(c.push, contact_velocity(h.bodies, c)));
   }
   if (fastest > 0) {
     for (HardContact& c : h.all) c.held = sc_allowed(c.hold, c.held);
@@ -81,26 +73,23 @@ int hold(HardContacts& h, const std::vector<HardBody>& before, const HardSetting
       return 0.0;
     });
     const auto visit = [&](HardContact& c) {
-      const sc_vec next = sc_hold_on(c.hold, c.held, contact_velocity(h, c));
+      const sc_vec next = sc_hold_on(c.hold, c.held, contact_velocity(h.bodies, c));
       const sc_vec change = sc_sub(next, c.held);
       if (change.x == 0 && change.y == 0 && change.z == 0) return 0.0;
       give(h, c, change);
       c.held = next;
       return sc_norm(sc_turn(c.hold.response, change));
     };
-    while (sweep < settings.sweeps) {
-      ++sweep;
+    for (int sweep = 0; sweep < settings.sweeps; ++sweep)
       if (visit_all(h, visit) <= settings.residual * fastest) break;
-    }
   } else {
     for (HardContact& c : h.all) c.held = sc_zero_vec();
   }
   for (std::size_t k = 0; k < h.all.size(); ++k) {
     HardContact& c = h.all[k];
-    book_loss(c, c.held, start[k], contact_velocity(h, c));
+    book_loss(c, c.held, start[k], contact_velocity(h.bodies, c));
     c.slid = slides(c);
   }
-  return sweep;
 }
 
 }  // namespace scree

@@ -10,14 +10,12 @@ namespace scree {
 /// Collisions with restitution at the velocities that bodies have before the forces of this step, so that what rests on
 /// each other has nothing to bounce with. Impulses follow each other until nobody approaches; each of them alone is
 /// safe in energy, so all together are. Approaches up to the threshold, by default twice the speed that uniform gravity
-/// gives in a step, are left to hold(): slower bounces than that have no place between two steps. Returns how often it
-/// went through the contacts.
-int collide(HardContacts& contacts, const HardSettings& settings, double gravity_speed);
+/// gives in a step, are left to hold(): slower bounces than that have no place between two steps.
+void collide(HardContacts& contacts, const HardSettings& settings, double gravity_speed);
 
 /// What bodies that stay in contact need so that they do not approach after the forces of this step: projected
 /// Gauss-Seidel without restitution, from the impulses of the step before. `before` has the velocities of the bodies
 /// before the forces.
-/// Returns how often it went through the contacts.
-int hold(HardContacts& contacts, const std::vector<HardBody>& before, const HardSettings& settings);
+void hold(HardContacts& contacts, const std::vector<HardBody>& before, const HardSettings& settings);
 
 }  // namespace scree

@@ -4,11 +4,10 @@
 
 #include "scree/compute/launch.h"
 #include "scree/particles/contact_state.h"
+#include "scree/particles/rows.h"
 
 namespace scree {
 namespace {
-
-sc_vec vec_of(const double* p) { return sc_make_vec(p[0], p[1], p[2]); }
 
 void put(double* to, sc_vec v) {
   to[0] = v.x;

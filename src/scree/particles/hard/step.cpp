@@ -47,7 +47,7 @@ void collide_and_drift(ParticleSystem& s, ContactLists& lists, const HardSetting
   colour_contacts(h);
   step.findings = count(h);
   step.relocated = relocate(s, h, settings, move.gravity);
-  step.collision_sweeps = collide(h, settings, move.kick * sc_norm(move.gravity));
+  collide(h, settings, move.kick * sc_norm(move.gravity));
   count_impacts(h, step.findings);
   book_contacts(s.particles, h, &HardContact::struck);
   step.before = h.bodies;
@@ -60,7 +60,7 @@ void push_and_hold(ParticleSystem& s, ContactLists& lists, const HardSettings& s
   push(s.particles, h.bodies, move, field, step.given);
   if (!settings.sequential) {
     for (HardContact& c : h.all) look_again(s, c);
-    step.rest_sweeps = hold(h, step.before, settings);
+    hold(h, step.before, settings);
     book_contacts(s.particles, h, &HardContact::held);
   }
   const SweepView view = view_of(s, lists, move, {}, field);

@@ -13,9 +13,8 @@ struct HardStep {
   std::vector<HardBody> before;  // after the collisions, before the forces
   std::vector<HardPush> given;
   double relocated = 0;  // the longest way of a body by relocation [m]
-  int collision_sweeps = 0, rest_sweeps = 0;
-  double way = 0;     // and in all [m]
-  double stride = 0;  // the longest way by its velocity, over the body's radius [-]
+  double way = 0;        // the longest way of a body in all [m]
+  double stride = 0;     // the longest way by its velocity, over the body's radius [-]
   SweepFindings findings;
 };
 

@@ -16,14 +16,7 @@ typedef struct {
 
 /// The inverse of a symmetric K within the plane perpendicular to `n`.
 SC_FN sc_mat sc_plane_inverse(sc_mat k, sc_vec n) {
-  // A unit vector in the plane, from the axis that is farthest from the normal.
-  const real x = SC_FABS(n.x), y = SC_FABS(n.y), z = SC_FABS(n.z);
-  const int by_x = (x <= y) & (x <= z);
-  const int by_y = !by_x & (y <= z);
-  const sc_vec axis = sc_make_vec(by_x ? R(1) : R(0), by_y ? R(1) : R(0), (by_x | by_y) ? R(0) : R(1));
-  const sc_vec across = sc_cross(n, axis);
-  const sc_vec s = sc_scale(R(1) / sc_norm(across), across);
-  const sc_vec t = sc_cross(n, s);
+  const sc_vec s = sc_perpendicular(n), t = sc_cross(n, s);
   const sc_vec ks = sc_turn(k, s), kt = sc_turn(k, t);
   const real ss = sc_dot(s, ks), st = sc_dot(s, kt), tt = sc_dot(t, kt);
   const real inverse = R(1) / (ss * tt - st * st);

@@ -29,7 +29,7 @@ SC_FN sc_vec sc_impact(sc_impact_law law, sc_mat response, sc_vec push, sc_vec v
   const sc_vec first = sc_scale((R(1) + law.restitution) * stopping, push);
   if (!(law.friction > R(0))) return first;
   // From P_I to P_II.
-  const sc_vec rest = sc_add_scaled(sc_scale(R(-1), sc_solve(response, velocity)), -stopping, push);
+  const sc_vec rest = sc_add_scaled(sc_scale(R(-1), sc_solve_mat(response, velocity)), -stopping, push);
   const real along = sc_dot(push, rest);
   const real across = sc_norm(sc_add_scaled(rest, -along, push));
   const real sticking = R(1) + law.tangential_restitution;

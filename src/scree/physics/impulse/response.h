@@ -40,7 +40,7 @@ SC_FN sc_mat sc_diagonal_mat(real s) {
 }
 
 /// p with m p = v, for a regular matrix (Cramer).
-SC_FN sc_vec sc_solve(sc_mat m, sc_vec v) {
+SC_FN sc_vec sc_solve_mat(sc_mat m, sc_vec v) {
   const sc_vec yz = sc_cross(m.y, m.z), zx = sc_cross(m.z, m.x), xy = sc_cross(m.x, m.y);
   const sc_vec p = sc_add_scaled(sc_add_scaled(sc_scale(v.x, yz), v.y, zx), v.z, xy);
   return sc_scale(R(1) / sc_dot(m.x, yz), p);

@@ -20,9 +20,6 @@ typedef struct {
   int is_sphere;
 } sc_form;
 
-/// Kinds of pairs and bodies that have shorter ways.
-SC_FN int sc_is_ellipsoid(sc_form form) { return (form.gauge.inner.power == 2) & (form.gauge.outer.power == 2); }
-
 /// A form with half axes as they are given (over the bounding radius) and the exponents e1 (along z) and e2 (in the
 /// plane of x and y), between 0.1 and 1.9.
 SC_FN sc_form sc_make_form(sc_vec axes, real e1, real e2) {

@@ -65,7 +65,7 @@ SC_FN sc_contact_radius sc_contact_radius_of(sc_plane_matrix curvature) {
   return out;
 }
 
-SC_FN sc_plane_matrix sc_plane_inverse(sc_plane_matrix m) {
+SC_FN sc_plane_matrix sc_invert_plane(sc_plane_matrix m) {
   const real inverse = R(1) / (m.xx * m.yy - m.xy * m.xy);
   sc_plane_matrix out;
   out.xx = inverse * m.yy;
@@ -78,8 +78,8 @@ SC_FN sc_plane_matrix sc_plane_inverse(sc_plane_matrix m) {
 SC_FN sc_contact_radius sc_contact_radius_of_bodies(sc_body_shape first, sc_body_shape second, sc_vec n, real least,
                                                     real most) {
   const sc_vec u = sc_perpendicular(n);
-  const sc_plane_matrix a = sc_plane_inverse(sc_tangent_radii(first, n, u, least, most));
-  const sc_plane_matrix b = sc_plane_inverse(sc_tangent_radii(second, n, u, least, most));
+  const sc_plane_matrix a = sc_invert_plane(sc_tangent_radii(first, n, u, least, most));
+  const sc_plane_matrix b = sc_invert_plane(sc_tangent_radii(second, n, u, least, most));
   sc_plane_matrix sum;
   sum.xx = a.xx + b.xx;
   sum.xy = a.xy + b.xy;
@@ -89,7 +89,7 @@ SC_FN sc_contact_radius sc_contact_radius_of_bodies(sc_body_shape first, sc_body
 
 /// Of a body and a flat wall.
 SC_FN sc_contact_radius sc_contact_radius_of_wall(sc_body_shape body, sc_vec n, real least, real most) {
-  return sc_contact_radius_of(sc_plane_inverse(sc_tangent_radii(body, n, sc_perpendicular(n), least, most)));
+  return sc_contact_radius_of(sc_invert_plane(sc_tangent_radii(body, n, sc_perpendicular(n), least, most)));
 }
 
 #endif

@@ -44,16 +44,4 @@ SC_FN sc_nearest sc_segment_nearest(sc_vec a, sc_vec b, int bit_a, int bit_b, sc
   return sc_make_nearest(point, share > R(0) ? (bit_a | bit_b) : (first ? bit_a : bit_b));
 }
 
-/// A unit vector perpendicular to a unit vector: away from the axis of coordinates that it is farthest from.
-SC_FN sc_vec sc_perpendicular(sc_vec unit) {
-  const real x = SC_FABS(unit.x);
-  const real y = SC_FABS(unit.y);
-  const real z = SC_FABS(unit.z);
-  const int is_x = (x <= y) & (x <= z);
-  const int is_y = !is_x & (y <= z);
-  const sc_vec axis = sc_make_vec(is_x ? R(1) : R(0), is_y ? R(1) : R(0), (is_x | is_y) ? R(0) : R(1));
-  const sc_vec across = sc_reject(axis, unit);
-  return sc_scale(R(1) / sc_norm(across), across);
-}
-
 #endif
