@@ -75,6 +75,18 @@ Case hertz_case() {
 }
 
 // Smallest reduced mass with the stiffest spring: pi sqrt(m/k)/sqrt(1 - zeta^2) by hand for each pair.
+TEST(Derived, ShapesOfGroups) {
+  Case c = linear_case();
+  c.particles[0].shape = "ellipsoid";
+  c.particles[0].half_axes = {3, 2, 1};
+  c.particles[0].exponents = {1, 1};
+  c.particles[0].diameter.value = 2e-3 * std::cbrt(6.0);  // so that the half axes are in mm
+  const std::string text = check_report(c, derive(c));
+  EXPECT_NE(text.find("half axes 0.003, 0.002, 0.001 m, exponents 1 and 1"), std::string::npos) << text;
+  EXPECT_NE(text.find("volume 2.513e-08 m3, surface 4.888e-05 m2, sphericity 0.8488"), std::string::npos) << text;
+  EXPECT_NE(text.find("moments of inertia over the mass 1e-06, 2e-06, 2.6e-06 m2"), std::string::npos) << text;
+}
+
 TEST(Derived, ShortestLinearContactIsWithTheWall) {
   Case c = linear_case();
   Derived d = derive(c);

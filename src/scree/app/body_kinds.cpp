@@ -114,6 +114,7 @@ std::vector<BodyKind> body_kinds(const Case& c, const Particles* present) {
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
     BodyKind kind;
     kind.name = groups[g].name;
+    kind.group = g;
     kind.material = groups[g].material;
     kind.free = groups[g].free;
     kind.density = groups[g].density;

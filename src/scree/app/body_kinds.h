@@ -15,6 +15,7 @@ namespace scree {
 /// One particle group, in numbers.
 struct BodyKind {
   std::string name;
+  std::size_t group = 0;  // of the case
   int material = 0;
   bool free = true;
   std::uint64_t count = 0;

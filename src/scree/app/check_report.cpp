@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "scree/app/build_walls.h"
@@ -12,6 +13,7 @@
 #include "scree/app/outside.h"
 #include "scree/app/wall_jumps.h"
 #include "scree/base/memory.h"
+#include "scree/data/form_surface.h"
 #include "scree/input/mesh_report.h"
 
 namespace scree {
@@ -44,6 +46,33 @@ std::string grouped(double whole) {
   return digits;
 }
 
+/// A particle of a group of shapes: its lengths, areas, volume and moments of inertia at the mean volume.
+void say_shape(const ParticleKeys& keys, double diameter, Lines& lines) {
+  if (keys.shape == "sphere" || keys.insert == "checkpoint") return;
+  const auto [e1, e2] = std::pair(keys.exponents[0], keys.exponents[1]);
+  const Form form = make_form(keys.half_axes, e1, e2);
+  const double radius = 0.5 * diameter / form.equivalent_radius;
+  const double volume = sphere_volume(diameter);
+  Axes axes = form.half_axes(), inertia = form.inertia;
+  for (int k = 0; k < 3; ++k) {
+    axes[k] *= radius;
+    inertia[k] *= radius * radius;
+  }
+  const double surface = superellipsoid_surface(axes, e1, e2);
+  lines.push_back(
+      {"",
+       fmt::format("half axes {:.4g}, {:.4g}, {:.4g} m, exponents {:g} and {:g}", axes[0], axes[1], axes[2], e1, e2),
+       Verdict::none, ""});
+  lines.push_back({"",
+                   fmt::format("volume {:.4g} m3, surface {:.4g} m2, sphericity {:.4g}", volume, surface,
+                               sphericity(volume, surface)),
+                   Verdict::none, ""});
+  lines.push_back({"",
+                   fmt::format("bounding radius {:.4g} m, moments of inertia over the mass {:.4g}, {:.4g}, {:.4g} m2",
+                               radius, inertia[0], inertia[1], inertia[2]),
+                   Verdict::none, ""});
+}
+
 void say_particles(const Case& c, const Derived& d, Lines& lines) {
   for (const BodyKind& kind : d.kinds) {
     const std::string size = kind.smallest == kind.largest
@@ -53,6 +82,7 @@ void say_particles(const Case& c, const Derived& d, Lines& lines) {
         {fmt::format("particles '{}'", kind.name),
          fmt::format("{}, {}{}", grouped(static_cast<double>(kind.count)), size, kind.free ? "" : ", infinite mass"),
          Verdict::none, ""});
+    say_shape(c.particles[kind.group], kind.typical(), lines);
   }
   const auto feeds = [](const ParticleKeys& p) { return p.insert == "rate"; };
   if (std::ranges::any_of(c.particles, feeds))
