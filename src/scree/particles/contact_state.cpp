@@ -3,7 +3,6 @@
 #include "scree/particles/rows.h"
 #include "scree/particles/shapes.h"
 #include "scree/physics/contact/law.h"
-#include "scree/physics/touch/body_wall.h"
 #include "scree/physics/touch/shape_contact.h"
 
 namespace scree {
@@ -47,7 +46,7 @@ sc_body_gap gap_of_shape(const ParticleSystem& s, std::size_t p, std::int32_t w)
   const sc_vec centre = vec_of(s.particles.motion.row(p)),
                anchor = vec_of(&s.wall_contacts.shape[wall_memory * std::size_t(w)]);
   sc_body_gap gaps[SC_FRUSTUM_GAPS];
-  const int count = sc_body_to_wall(s.walls.faces[face], pose, body_shape(s.particles, p, s.forms), centre, gaps);
+  const int count = body_to_wall(s.walls.faces[face], pose, body_shape(s.particles, p, s.forms), centre, gaps);
   const auto away = [&](int k) {
     const sc_vec apart = sc_sub(sc_from_wall(pose, sc_add(centre, gaps[k].arm)), anchor);
     return sc_dot(apart, apart);
@@ -84,8 +83,8 @@ sc_shape_touch touch_of_shapes(const ParticleSystem& s, std::size_t c) {
   const sc_body_shape owner = body_shape(s.particles, i, s.forms), partner = body_shape(s.particles, j, s.forms);
   const double* m = &s.contacts.shape[pair_memory * c];
   const sc_shape_touch found =
-      sc_touch_shapes(owner_first ? owner : partner, owner_first ? partner : owner,
-                      owner_first ? branch : sc_scale(-1, branch), s.contacts.active[c] != 0, {vec_of(m), m[3]});
+      touch_shapes(owner_first ? owner : partner, owner_first ? partner : owner,
+                   owner_first ? branch : sc_scale(-1, branch), s.contacts.active[c] != 0, {vec_of(m), m[3]});
   return sc_shape_touch_from(found, owner_first);
 }
 

@@ -9,7 +9,6 @@
 #include "scree/particles/insert_region.h"
 #include "scree/particles/neighbours.h"
 #include "scree/particles/shapes.h"
-#include "scree/physics/touch/body_wall.h"
 
 namespace scree {
 namespace {
@@ -36,7 +35,7 @@ WallOverlap deepest_overlap(const Walls& walls, const sc_body_shape& body, const
   for_each_face_near(walls, centre, body.radius, [&](std::size_t face, const sc_wall_gap&) {
     if (!walls.pose_of(face).present) return;
     sc_body_gap gaps[SC_FRUSTUM_GAPS];
-    const int count = sc_body_to_wall(walls.faces[face], walls.pose_of(face), body, centre, gaps);
+    const int count = body_to_wall(walls.faces[face], walls.pose_of(face), body, centre, gaps);
     for (int k = 0; k < count; ++k)
       if (gaps[k].overlap > deepest.depth) deepest = {gaps[k].overlap, face};
   });
@@ -68,7 +67,7 @@ double overlap_of(const Particles& particles, std::size_t i, std::size_t j, cons
   const sc_vec branch = sc_make_vec(setting.domain.nearest(0, b[0] - a[0]), setting.domain.nearest(1, b[1] - a[1]),
                                     setting.domain.nearest(2, b[2] - a[2]));
   const sc_shape_touch touch =
-      sc_touch_shapes(body_shape(particles, i, setting.forms), body_shape(particles, j, setting.forms), branch, 0, {});
+      touch_shapes(body_shape(particles, i, setting.forms), body_shape(particles, j, setting.forms), branch, false, {});
   return touch.verdict == SC_GROWTH_TOUCHING ? touch.overlap : 0;
 }
 

@@ -10,6 +10,7 @@
 #include "scree/particles/deviates.h"
 #include "scree/particles/insert_check.h"
 #include "scree/particles/insert_region.h"
+#include "scree/particles/shapes.h"
 
 namespace scree {
 
@@ -51,7 +52,7 @@ bool OccupiedSpace::overlap(const std::array<double, 3>& position, const sc_body
   for (std::size_t k = 0; k < 3; ++k)
     branch[k] = domain_.nearest(static_cast<int>(k), sphere.position[k] - position[k]);
   const sc_vec d = sc_make_vec(branch[0], branch[1], branch[2]);
-  return sc_touch_shapes(*body, bodies_[sphere.body], d, 0, {}).verdict == SC_GROWTH_TOUCHING;
+  return touch_shapes(*body, bodies_[sphere.body], d, false, {}).verdict == SC_GROWTH_TOUCHING;
 }
 
 bool OccupiedSpace::is_free(const std::array<double, 3>& position, double radius,

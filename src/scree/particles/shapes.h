@@ -4,7 +4,8 @@
 #include "scree/data/forms.h"
 #include "scree/data/particles.h"
 #include "scree/physics/rotation.h"
-#include "scree/physics/touch/body_face.h"
+#include "scree/physics/touch/body_wall.h"
+#include "scree/physics/touch/shape_shape.h"
 
 namespace scree {
 
@@ -23,5 +24,12 @@ inline sc_body_shape body_shape(const Particles& particles, std::size_t i, const
   return {forms[static_cast<std::size_t>(particles.form[i])].shape, particles.motion.row(i)[lane::radius],
           sc_quat_mat(orientation_of(particles, i))};
 }
+
+/// sc_touch_shapes and sc_body_to_wall as functions that are called: the search is long, and only the pass over the
+/// contacts asks so often that it is worth having in place.
+sc_shape_touch touch_shapes(const sc_body_shape& first, const sc_body_shape& second, const sc_vec& branch, bool warm,
+                            const sc_growth_point& start);
+int body_to_wall(const sc_wall& wall, const sc_wall_pose& pose, const sc_body_shape& body, const sc_vec& centre,
+                 sc_body_gap gaps[SC_FRUSTUM_GAPS]);
 
 }  // namespace scree
