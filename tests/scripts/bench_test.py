@@ -40,11 +40,19 @@ class Bench(unittest.TestCase):
 
     def test_what_cannot_be_done_is_refused_before_measuring(self):
         self.assertRefused(["liner"], "no benchmark 'liner'", "did you mean 'linear'?")
-        self.assertRefused(["xyzzy"], "take dense, dilute, drum, silo, mix, linear")
+        self.assertRefused(["xyzzy"], "take dense, dilute, drum, silo, mix, ellipsoids, cylinders, boxes, exponents,")
         self.assertRefused(["dense", "--plot", self.directory / "a.png"], "name it too")
         self.assertRefused(["linear", "--plot", self.directory / "a.pdf"], "ends in .png")
         self.assertRefused(["linear", "--json", self.directory / "none" / "a.json"], "there is no directory")
         self.assertRefused(["linear", "--particles", 20000], "needs two sizes")
+
+    def test_the_cases_of_the_beds_of_shapes_can_be_run(self):
+        for name in ("make_packed", "make_shapes"):
+            for change in ("simulation.title=bed",) + ("particles.0.exponents=[0.377, 0.541]",) * (name == "make_packed"):
+                result = subprocess.run([PROGRAM, "check", SHARE.parent / "bench" / f"{name}.toml", "--set", change],
+                                        capture_output=True, text=True)
+                self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+                self.assertIn("The case can be run.", result.stdout)
 
     def test_the_smallest_sizes_give_figures_and_a_picture(self):
         picture = self.directory / "linear.png"

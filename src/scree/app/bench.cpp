@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scree/app/bench_linear.h"
+#include "scree/app/bench_list.h"
 #include "scree/app/bench_mesh.h"
 #include "scree/app/bench_scene.h"
 #include "scree/app/packing.h"
@@ -30,7 +31,9 @@ std::string cache_directory() {
 }
 
 void check_names(const std::vector<std::string>& names) {
-  const std::vector<std::string> known = {"dense", "dilute", "drum", "silo", "mix", "linear"};
+  std::vector<std::string> known;
+  for (const BenchScene& scene : bench_scenes()) known.push_back(scene.name);
+  known.push_back("linear");
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw InputError(fmt::format("there is no benchmark '{}'; {}", name,
@@ -65,11 +68,11 @@ void measure(const std::string& name, const std::vector<int>& threads, const Ben
   }
   // Absolute: file names in a case are relative to the case.
   const std::string packings = fs::absolute(options.packings.empty() ? cache_directory() : options.packings).string();
-  std::vector<std::string> changes = make_mesh(name, packings);
-  const std::string packing = make_packing(name, packings, changes);
-  changes.push_back(fmt::format("particles.0.file=\"{}\"", packing));
+  BenchScene scene = bench_scene(name);
+  for (std::string& change : make_mesh(name, packings)) scene.changes.push_back(std::move(change));
+  for (std::string& change : make_packing(scene, packings)) scene.changes.push_back(std::move(change));
   for (const int t : threads) {
-    const SceneFigures f = measure_scene(name, changes, t, rounds);
+    const SceneFigures f = measure_scene(scene, t, rounds);
     fmt::print("{}", scene_text(f));
     figures.push_back(scene_json(f));
   }

@@ -8,7 +8,7 @@
 namespace scree {
 
 struct BenchOptions {
-  std::vector<std::string> names;    // dense, dilute, drum, silo, mix, linear; empty: dense and dilute
+  std::vector<std::string> names;    // of bench_scenes(), or linear; empty: dense and dilute
   int threads = 0;                   // 0: with one thread and with all
   int rounds = 0;                    // measurements of which the median counts; 0: 5, of linear 3
   std::int64_t particles = 1000000;  // linear: the largest size

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scree/app/bench_list.h"
 #include "scree/base/stopwatch.h"
 
 namespace scree {
@@ -18,13 +19,18 @@ struct SceneFigures {
   double slowest = 0, fastest = 0;  // rounds
   double contacts = 0;              // per particle
   double candidates = 0;            // per particle
-  double bytes = 0;                 // that one particle-step moves, counted from the layout
+  double pair_contacts = 0;         // per particle, without those with walls
+  bool shaped = false;              // not all particles are spheres
+  double bytes = 0;                 // that one particle-step moves, counted from the layout; spheres only
   double bandwidth = 0;             // of the machine with these threads [bytes/s]
   StageSeconds stages;
 };
 
-/// Runs bench/SCENE.toml with `changes` (as of load_case()), after steps that are not counted.
-SceneFigures measure_scene(const std::string& scene, const std::vector<std::string>& changes, int threads, int rounds);
+/// Seconds that one thread would take per contact between particles and step: everything in the step is counted.
+double seconds_per_contact(const SceneFigures& figures);
+
+/// Runs the case of a scene, after steps that are not counted.
+SceneFigures measure_scene(const BenchScene& scene, int threads, int rounds);
 
 /// One line for people.
 std::string scene_text(const SceneFigures& figures);

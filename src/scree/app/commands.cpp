@@ -129,7 +129,9 @@ Command declare_verify(CLI::App& app) {
 Command declare_bench(CLI::App& app) {
   CLI::App* c = app.add_subcommand("bench", "Measure speed on the benchmark scenes, and how run time grows");
   auto options = std::make_shared<BenchOptions>();
-  c->add_option("names", options->names, "dense, dilute, linear [dense dilute]");
+  c->add_option(
+      "names", options->names,
+      "dense, dilute, drum, silo, mix, ellipsoids, cylinders, boxes, exponents, shapes, linear [dense dilute]");
   add_option(*c, "--threads", "threads [1 and all]", options->threads, read_count);
   add_option(*c, "--rounds", "measurements of which the median counts [5, linear 3]", options->rounds, read_count);
   add_option(*c, "--particles", "linear: the largest size [1000000]", options->particles, read_count);

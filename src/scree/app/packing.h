@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "scree/app/bench_list.h"
+
 namespace scree {
 
-/// Path of the table of particles (CSV) of a scene in `directory`; makes it by running bench/make_SCENE.toml with
-/// `changes` (as of load_case()) if it is not there yet, which takes some minutes.
-std::string make_packing(const std::string& scene, const std::string& directory,
-                         const std::vector<std::string>& changes);
+/// Makes the tables of particles (CSV) of a scene in `directory`, one for each group, by running its case once, if they
+/// are not there yet, which takes up to some minutes. Returns what must be changed in the scene's case so that it reads
+/// them.
+std::vector<std::string> make_packing(const BenchScene& scene, const std::string& directory);
 
 }  // namespace scree
