@@ -46,14 +46,6 @@ class Bench(unittest.TestCase):
         self.assertRefused(["linear", "--json", self.directory / "none" / "a.json"], "there is no directory")
         self.assertRefused(["linear", "--particles", 20000], "needs two sizes")
 
-    def test_the_cases_of_the_beds_of_shapes_can_be_run(self):
-        for name in ("make_packed", "make_shapes"):
-            for change in ("simulation.title=bed",) + ("particles.0.exponents=[0.377, 0.541]",) * (name == "make_packed"):
-                result = subprocess.run([PROGRAM, "check", SHARE.parent / "bench" / f"{name}.toml", "--set", change],
-                                        capture_output=True, text=True)
-                self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-                self.assertIn("The case can be run.", result.stdout)
-
     def test_the_smallest_sizes_give_figures_and_a_picture(self):
         picture = self.directory / "linear.png"
         result = self.bench("linear", "--particles", 30000, "--rounds", 1, "--threads", 1, "--plot", picture)

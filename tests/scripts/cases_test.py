@@ -26,10 +26,10 @@ def metres(length):
     return float(number) * {"": 1, "m": 1, "mm": 1e-3}[unit]
 
 
-def one_particle(domain, path):
-    """A table with one particle in the middle of a domain."""
-    middle = [(metres(low) + metres(high)) / 2 for low, high in zip(domain["min"], domain["max"])]
-    path.write_text("x,y,z\n" + ",".join(map(str, middle)) + "\n")
+def one_particle(domain, part, path):
+    """A table with one particle, a part of the way from the lower to the upper corner of a domain."""
+    place = [metres(low) + part * (metres(high) - metres(low)) for low, high in zip(domain["min"], domain["max"])]
+    path.write_text("x,y,z\n" + ",".join(map(str, place)) + "\n")
     return path
 
 
@@ -44,9 +44,11 @@ def files_made_on_demand(case, directory):
     """Changes that put other files in the place of those that `scree bench` makes for a case."""
     content = tomllib.loads(case.read_text())
     changes = []
-    if "file" in content["particles"][0]:
-        table = one_particle(content["domain"], directory / "particles.csv")
-        changes += ["--set", f'particles.0.file="{table}"']
+    for k, group in enumerate(content["particles"]):
+        if "file" in group:
+            part = (k + 1) / (len(content["particles"]) + 1)
+            table = one_particle(content["domain"], part, directory / f"particles_{k}.csv")
+            changes += ["--set", f'particles.{k}.file="{table}"']
     if "file" in content.get("walls", [{}])[0]:
         changes += ["--set", f'walls.0.file="{one_triangle(directory / "wall.stl")}"']
     return changes
