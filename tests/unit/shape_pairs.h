@@ -19,6 +19,7 @@ inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec operator*(Real s, Vec a) { return {s * a.x, s * a.y, s * a.z}; }
 inline Real dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec cross(Vec a, Vec b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline Vec unit(Vec a) { return (1 / std::sqrt(dot(a, a))) * a; }
 inline Vec wide(sc_vec v) { return {v.x, v.y, v.z}; }
 inline sc_vec narrow(Vec v) {

@@ -132,7 +132,8 @@ void guard_stride(const ParticleSystem& s, double stride, double dt, double time
     longest = std::max(longest, way);
   }
   throw PhysicsError(fmt::format(
-      "t = {:.9g} s: a body goes {:.3g} of its radius in a step, so that hard collisions may be missed; the "
+      "t = {:.9g} s: a body goes {:.3g} of its radius, or of its smallest half axis, in a step, so that hard "
+      "collisions may be missed; the "
       "fastest is {}. Use a shorter simulation.time_step, or a higher simulation.top_speed with \"auto\"",
       time, stride, place_of(p, worst)));
 }

@@ -23,12 +23,6 @@ void check_hard(const Check& check) {
   soft_only(check, "contact.rolling", laws.rolling != SC_ROLLING_NONE, "resistance to rolling");
   soft_only(check, "contact.twisting", laws.twisting != SC_TWISTING_NONE, "resistance to twisting");
   soft_only(check, "contact.cohesion", laws.cohesion != SC_COHESION_NONE, "cohesion");
-  for (std::size_t i = 0; i < c.particles.size(); ++i) {
-    const std::string shape = item_path("particles", i) + ".shape";
-    if (check.sound({shape}) && c.particles[i].shape != "sphere")
-      check.fail("E164", shape, "hard collisions are there between spheres only",
-                 fmt::format("'{}' is no sphere", c.particles[i].shape), "set contact.collision = 'soft'");
-  }
   if (check.sound({"simulation.integrator"}) && c.simulation.integrator != "leapfrog")
     check.fail("E164", "simulation.integrator", "hard collisions have an integrator of their own",
                fmt::format("'{}' is for soft collisions", c.simulation.integrator),

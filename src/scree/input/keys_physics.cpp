@@ -111,8 +111,7 @@ const Section& contact_section() {
       "[contact]",
       "The laws of contact, chosen independently of each other.",
       {key("collision", &S::collision,
-           "soft: springs and dashpots, the laws below; hard: impulses with restitution and friction, for spheres "
-           "only, "
+           "soft: springs and dashpots, the laws below; hard: impulses with restitution and friction, "
            "which read [[materials]] and [[pairs]] only ([hard] says how they are solved)")
            .one_of({"soft", "hard"}),
        law("normal", &sc_laws::normal,

@@ -39,7 +39,19 @@ sc_touch touch_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t face
   return sc_touch_wall(w, s.walls.faces[face], s.walls.pose_of(face)).touch;
 }
 
-/// Of the places where shape p meets the face of contact w the one nearest to where the contact was.
+sc_contact_energy energy_of_shape_at_wall(const ParticleSystem& s, std::size_t p, std::int32_t w,
+                                          const sc_pair_law& law, const sc_contact_state& state) {
+  const double* row = &s.wall_contacts.shape[wall_memory * std::size_t(w)];
+  const sc_wall_memory memory{vec_of(row), row[3], row[7]};
+  const sc_body_gap gap = gap_of_shape(s, p, w);
+  const sc_body_side wall{sc_zero_vec(), sc_zero_vec(), 0};
+  const sc_touch touch =
+      sc_touch_at(sc_place_at_wall(gap, memory), side_of(s.particles, p), wall, s.particles.effect_excess[p]);
+  return sc_contact_energy_of(s.laws, sc_law_of_growth(law, sc_wall_ratio(gap, memory)), touch, state);
+}
+
+}  // namespace
+
 sc_body_gap gap_of_shape(const ParticleSystem& s, std::size_t p, std::int32_t w) {
   const std::size_t face = static_cast<std::size_t>(s.wall_contacts.wall[w]);
   const sc_wall_pose& pose = s.walls.pose_of(face);
@@ -55,19 +67,6 @@ sc_body_gap gap_of_shape(const ParticleSystem& s, std::size_t p, std::int32_t w)
   for (int k = 1; k < count; ++k) nearest = away(k) < away(nearest) ? k : nearest;
   return gaps[nearest];
 }
-
-sc_contact_energy energy_of_shape_at_wall(const ParticleSystem& s, std::size_t p, std::int32_t w,
-                                          const sc_pair_law& law, const sc_contact_state& state) {
-  const double* row = &s.wall_contacts.shape[wall_memory * std::size_t(w)];
-  const sc_wall_memory memory{vec_of(row), row[3], row[7]};
-  const sc_body_gap gap = gap_of_shape(s, p, w);
-  const sc_body_side wall{sc_zero_vec(), sc_zero_vec(), 0};
-  const sc_touch touch =
-      sc_touch_at(sc_place_at_wall(gap, memory), side_of(s.particles, p), wall, s.particles.effect_excess[p]);
-  return sc_contact_energy_of(s.laws, sc_law_of_growth(law, sc_wall_ratio(gap, memory)), touch, state);
-}
-
-}  // namespace
 
 sc_vec branch_of_pair(const ParticleSystem& s, std::size_t c) {
   const double* a = s.particles.motion.row(s.contacts.pairs.owner[c]);

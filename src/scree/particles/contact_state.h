@@ -4,6 +4,7 @@
 #include "scree/particles/system.h"
 #include "scree/physics/contact/contact.h"
 #include "scree/physics/touch/bodies.h"
+#include "scree/physics/touch/body_face.h"
 #include "scree/physics/touch/shape_shape.h"
 #include "scree/physics/touch/sphere_sphere.h"
 
@@ -14,6 +15,9 @@ sc_vec branch_of_pair(const ParticleSystem& system, std::size_t c);
 
 /// How the partners of candidate pair c, of which one is no sphere, meet now, seen from the owner.
 sc_shape_touch touch_of_shapes(const ParticleSystem& system, std::size_t c);
+
+/// Of the places where shape p meets the face of its contact w with a wall, the one nearest to where the contact was.
+sc_body_gap gap_of_shape(const ParticleSystem& system, std::size_t p, std::int32_t w);
 
 /// How the spheres of candidate pair c meet now, seen from the owner.
 sc_sphere_touch touch_of_pair(const ParticleSystem& system, std::size_t c);

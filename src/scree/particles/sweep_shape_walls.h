@@ -112,6 +112,13 @@ inline sc_body_side side_of_wall(const sc_wall_pose& pose, const sc_vec& arm, co
   return {speed, pose.moves ? pose.spin : sc_zero_vec(), 0};
 }
 
+/// Remembers where a contact is: on the wall, and from the centre of the body.
+inline void keep_place(const AmongWalls& a, std::int32_t w, const sc_vec& arm, const sc_wall_memory& memory) {
+  const sc_vec anchor = sc_from_wall(a.pose(w), sc_add(vec_of(a.v.motion + 8 * a.p), arm));
+  store4(memory_row(a.v, w), lane4{anchor.x, anchor.y, anchor.z, memory.reach});
+  store4(memory_row(a.v, w) + 4, lane4{arm.x, arm.y, arm.z, memory.radius});
+}
+
 /// One contact of the particle with a wall, added to what it has gathered.
 [[gnu::noinline]] void add_shape_wall(const AmongWalls& a, std::int32_t w, const sc_body_shape& body, Gathered& g,
                                       SweepFindings& findings) {
@@ -140,9 +147,7 @@ inline sc_body_side side_of_wall(const sc_wall_pose& pose, const sc_vec& arm, co
   findings.deepest = SC_MAX(findings.deepest, place.overlap / by_volume);
   remember_wall(a, w, v.laws, law, touch, r, findings);
   if (!r.action.touching) return;
-  const sc_vec anchor = sc_from_wall(a.pose(w), at);
-  store4(memory_row(v, w), lane4{anchor.x, anchor.y, anchor.z, memory.reach});
-  store4(memory_row(v, w) + 4, lane4{place.arm_a.x, place.arm_a.y, place.arm_a.z, memory.radius});
+  keep_place(a, w, place.arm_a, memory);
 }
 
 /// All walls of a sphere among shapes.
@@ -155,25 +160,31 @@ inline Gathered gather_walls_of_sphere(const SweepView& v, std::int64_t p, Sweep
   return g;
 }
 
-/// All walls of particle p, which has some: force, and torque in place of the turn.
-[[gnu::noinline]] Gathered gather_walls_of_shape(const SweepView& v, std::int64_t p, SweepFindings& findings) {
-  if (is_sphere(v, p)) return gather_walls_of_sphere(v, p, findings);
-  Gathered g{};
-  const AmongWalls a{v, p, v.walls.first[p], v.walls.first[p + 1]};
-  const sc_body_shape body = shape_at(v, p);
+/// Finds the places where the body may touch its walls; marks those that do not count, and hands their memory on.
+[[gnu::always_inline]] inline void find_gaps_of_shape(const AmongWalls& a, const sc_body_shape& body) {
   bool joined = false;
   for (std::int32_t w = a.begin; w < a.end; w += find_places(a, w, body)) joined |= a.face(w).corner[0] >= 0;
   const auto growth = [&](std::int32_t u) {
-    return a.gap(u).corners == dropped ? 1e300 : memory_row(v, u)[wall_scratch];
+    return a.gap(u).corners == dropped ? 1e300 : memory_row(a.v, u)[wall_scratch];
   };
   if (joined)
     drop_faces(
         a, [&](std::int32_t w) { return a.gap(w).corners != dropped; },
         [&](std::int32_t w) {
-          return counts(a, w, body.radius, growth, [&](std::int32_t u) { return vec_of(memory_row(v, u) + 4); });
+          return counts(a, w, body.radius, growth, [&](std::int32_t u) { return vec_of(memory_row(a.v, u) + 4); });
         });
   // Two places of a round wall may also have become one.
   forget_dropped(a);
+}
+
+/// All walls of particle p, which has some: force, and torque in place of the turn.
+[[gnu::noinline, maybe_unused]] Gathered gather_walls_of_shape(const SweepView& v, std::int64_t p,
+                                                               SweepFindings& findings) {
+  if (is_sphere(v, p)) return gather_walls_of_sphere(v, p, findings);
+  Gathered g{};
+  const AmongWalls a{v, p, v.walls.first[p], v.walls.first[p + 1]};
+  const sc_body_shape body = shape_at(v, p);
+  find_gaps_of_shape(a, body);
   for (std::int32_t w = a.begin; w < a.end; ++w)
     if (!(a.gap(w).corners & dropped)) add_shape_wall(a, w, body, g, findings);
   return g;

@@ -72,6 +72,20 @@ SC_FN sc_vec sc_spin_of(sc_mat axes, sc_vec angular_momentum, sc_vec inverse_mom
   return sc_turn(axes, sc_make_vec(l.x * inverse_moments.x, l.y * inverse_moments.y, l.z * inverse_moments.z));
 }
 
+/// The inverse of the tensor of inertia in the world of a body with these axes [1/(kg m2)].
+SC_FN sc_mat sc_inverse_inertia_of(sc_mat axes, sc_vec inverse_moments) {
+  const sc_vec i = inverse_moments;
+  const sc_vec x = sc_make_vec(i.x * axes.x.x, i.y * axes.x.y, i.z * axes.x.z);
+  const sc_vec y = sc_make_vec(i.x * axes.y.x, i.y * axes.y.y, i.z * axes.y.z);
+  const sc_vec z = sc_make_vec(i.x * axes.z.x, i.y * axes.z.y, i.z * axes.z.z);
+  const real xy = sc_dot(x, axes.y), xz = sc_dot(x, axes.z), yz = sc_dot(y, axes.z);
+  sc_mat m;
+  m.x = sc_make_vec(sc_dot(x, axes.x), xy, xz);
+  m.y = sc_make_vec(xy, sc_dot(y, axes.y), yz);
+  m.z = sc_make_vec(xz, yz, sc_dot(z, axes.z));
+  return m;
+}
+
 /// An orientation and an angular momentum in the frame of the body.
 typedef struct {
   sc_quat q;
@@ -133,6 +147,28 @@ SC_FN sc_quat sc_rotate_freely(sc_quat q, sc_vec angular_momentum, sc_vec invers
       sc_make_vec(dt * (i.x - precession) * l.x, dt * (i.y - precession) * l.y, dt * (i.z - precession) * l.z);
   const sc_quat spun = i.x == i.y && i.y == i.z ? q : sc_quat_product(q, sc_quat_of_turn(own));
   return sc_quat_turned(spun, sc_scale(dt * precession, angular_momentum));
+}
+
+/// As sc_rotate_freely, and the energy of rotation, that of `q` and the angular momentum, is kept to round-off too:
+/// what the splitting leaves of it is taken away by a small turn along the gradient of the energy.
+SC_FN sc_quat sc_rotate_keeping_energy(sc_quat q, sc_vec angular_momentum, sc_vec inverse_moments, real dt) {
+  const sc_vec i = inverse_moments;
+  sc_quat out = sc_rotate_freely(q, angular_momentum, i, dt);
+  if (i.x == i.y || i.y == i.z || i.z == i.x) return out;
+  const sc_vec before = sc_turn_back(sc_quat_mat(q), angular_momentum);
+  const real wanted = i.x * before.x * before.x + i.y * before.y * before.y + i.z * before.z * before.z;
+  for (int k = 0; k < 3; ++k) {
+    const sc_vec l = sc_turn_back(sc_quat_mat(out), angular_momentum);
+    const sc_vec spin = sc_make_vec(i.x * l.x, i.y * l.y, i.z * l.z);
+    const real missing = wanted - sc_dot(spin, l);
+    if (SC_FABS(missing) <= R(2e-16) * wanted) break;
+    const sc_vec gradient = sc_cross(spin, l);
+    const real turn = R(0.5) * missing / SC_MAX(sc_dot(gradient, gradient), SC_TINY);
+    // About a principal axis the energy hardly changes with the orientation, and the splitting is right.
+    if (!(SC_FABS(turn) * sc_norm(gradient) < R(0.1))) break;
+    out = sc_quat_renewed(sc_quat_product(out, sc_quat_of_turn(sc_scale(turn, gradient))));
+  }
+  return out;
 }
 
 #endif

@@ -6,12 +6,19 @@
 #include <tuple>
 
 #include "scree/particles/contact_state.h"
-#include "scree/particles/sweep_walls.h"
+#include "scree/particles/hard/look.h"
+#include "scree/particles/hard/motion.h"
+#include "scree/particles/shapes.h"
+#include "scree/particles/sweep_shape_walls.h"
 
 namespace scree {
 namespace {
 
-bool pair_touches(const ParticleSystem& s, std::size_t c) {
+bool is_pair_of_spheres(const ParticleSystem& s, std::size_t c) {
+  return is_sphere(s.particles, s.contacts.pairs.owner[c]) && is_sphere(s.particles, s.contacts.pairs.partner[c]);
+}
+
+bool bounding_spheres_touch(const ParticleSystem& s, std::size_t c) {
   const double *a = s.particles.motion.row(s.contacts.pairs.owner[c]),
                *b = s.particles.motion.row(s.contacts.pairs.partner[c]);
   double square = 0;
@@ -23,10 +30,38 @@ bool pair_touches(const ParticleSystem& s, std::size_t c) {
   return square <= radii * radii;
 }
 
+/// Whether two bodies of which one is no sphere touch, decided with a proof. Notes where the search ended, or how far
+/// the surfaces may go before it must be made again.
+bool shapes_touch(ParticleSystem& s, std::size_t c) {
+  const Particles& p = s.particles;
+  const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
+  const double way = p.angular_momentum.row(i)[lane::path] + p.angular_momentum.row(j)[lane::path];
+  double* memory = &s.contacts.shape[pair_memory * c];
+  if (!s.contacts.active[c] && way < memory[pair_scratch]) return false;
+  const sc_shape_touch found = touch_of_shapes(s, c);
+  if (found.verdict == SC_GROWTH_TOUCHING) {
+    const sc_vec point = found.start.point;
+    store4(memory, lane4{point.x, point.y, point.z, found.start.share});
+    return true;
+  }
+  const double gap =
+      sc_shapes_gap(body_shape(p, i, s.forms), body_shape(p, j, s.forms), branch_of_pair(s, c), found.normal);
+  store4(memory, lane4{});
+  memory[pair_scratch] = gap > 0 ? (1 - 1e-12) * (way + gap) : 0;
+  return false;
+}
+
+bool pair_touches(ParticleSystem& s, std::size_t c) {
+  if (!bounding_spheres_touch(s, c)) return false;
+  return is_pair_of_spheres(s, c) || shapes_touch(s, c);
+}
+
 void forget_pair(PairContacts& contacts, std::size_t c) {
   contacts.active[c] = 0;
   std::fill_n(&contacts.slide[4 * c], 4, 0.0);
   std::fill_n(&contacts.roll[4 * c], 4, 0.0);
+  // What is known of bodies that are apart may stay.
+  if (contacts.remembers_shapes) std::fill_n(&contacts.shape[pair_memory * c], pair_scratch, 0.0);
 }
 
 HardContact pair_contact(const ParticleSystem& s, std::size_t c) {
@@ -44,7 +79,7 @@ HardContact pair_contact(const ParticleSystem& s, std::size_t c) {
   // Held from A to B in the memory of the pair, on the owner.
   const double sign = out.a == s.contacts.pairs.owner[c] ? 1 : -1;
   out.held = sc_scale(sign, vec_of(&s.contacts.slide[4 * c]));
-  out.smaller = std::min(p.motion.row(out.a)[lane::radius], p.motion.row(out.b)[lane::radius]);
+  out.smaller = std::min(p.radius_by_volume(out.a), p.radius_by_volume(out.b));
   return out;
 }
 
@@ -60,7 +95,7 @@ HardContact wall_contact(const ParticleSystem& s, std::int32_t particle, std::in
   out.began = !s.wall_contacts.active[w];
   out.slid = s.wall_contacts.active[w] == contact_code(true, true);
   out.held = vec_of(&s.wall_contacts.slide[4 * std::size_t(w)]);
-  out.smaller = p.motion.row(particle)[lane::radius];
+  out.smaller = p.radius_by_volume(particle);
   return out;
 }
 
@@ -80,6 +115,25 @@ void find_pairs(ParticleSystem& s, std::vector<HardContact>& out) {
   for (const auto& some : found) out.insert(out.end(), some.begin(), some.end());
 }
 
+/// Brings the gaps of the walls near a sphere or another body up to date.
+void find_gaps_of(const AmongWalls& among, const ParticleSystem& s) {
+  const std::size_t p = static_cast<std::size_t>(among.p);
+  if (is_sphere(s.particles, p))
+    find_gaps(among, among.sphere());
+  else
+    find_gaps_of_shape(among, body_shape(s.particles, p, s.forms));
+}
+
+/// Whether the particle touches the wall of contact w, whose gap is known; of a shape, remembers where.
+bool touches_wall(const AmongWalls& among, const ParticleSystem& s, std::int32_t w) {
+  if ((among.gap(w).corners & dropped) || !among.pose(w).present) return false;
+  if (is_sphere(s.particles, static_cast<std::size_t>(among.p)))
+    return among.gap(w).distance <= s.particles.motion.row(among.p)[lane::radius];
+  const sc_body_gap gap = noted_gap(among, w);
+  if (gap.overlap >= 0) keep_place(among, w, gap.arm, {});
+  return gap.overlap >= 0;
+}
+
 void find_walls(ParticleSystem& s, const SweepView& v, std::vector<HardContact>& out) {
   WallContacts& walls = s.wall_contacts;
   const std::int32_t n = static_cast<std::int32_t>(s.particles.size());
@@ -88,12 +142,9 @@ void find_walls(ParticleSystem& s, const SweepView& v, std::vector<HardContact>&
   for (std::int32_t p = 0; p < n; ++p) {
     if (!has_walls(v, p)) continue;
     const AmongWalls among{v, p, walls.first[p], walls.first[p + 1]};
-    const sc_sphere_wall sphere = among.sphere();
-    find_gaps(among, sphere);
+    find_gaps_of(among, s);
     for (std::int32_t w = among.begin; w < among.end; ++w) {
-      const bool touches =
-          !(among.gap(w).corners & dropped) && among.pose(w).present && among.gap(w).distance <= sphere.radius;
-      if (touches) {
+      if (touches_wall(among, s, w)) {
         found[omp_get_thread_num()].push_back(wall_contact(s, p, w));
         walls.active[w] = contact_code(true, walls.active[w] == contact_code(true, true));
       } else if (walls.active[w]) {
@@ -104,48 +155,7 @@ void find_walls(ParticleSystem& s, const SweepView& v, std::vector<HardContact>&
   for (const auto& some : found) out.insert(out.end(), some.begin(), some.end());
 }
 
-void look_at_pair(const ParticleSystem& s, HardContact& c) {
-  const sc_sphere_touch t = touch_of_pair(s, c.memory);
-  const double to_a = s.contacts.pairs.owner[c.memory] == c.a ? -1 : 1;
-  c.push = sc_scale(to_a, t.touch.normal);
-  c.arm_a = sc_scale(-t.lever * s.particles.motion.row(c.a)[lane::radius], c.push);
-  c.arm_b = sc_scale(t.lever * s.particles.motion.row(c.b)[lane::radius], c.push);
-  c.overlap = t.touch.overlap;
-}
-
-void look_at_wall(const ParticleSystem& s, HardContact& c) {
-  const double* m = s.particles.motion.row(c.a);
-  const sc_wall_pose& pose = s.walls.pose_of(c.face);
-  const sc_wall_gap gap = sc_gap_to_wall(s.walls.faces[c.face], pose, vec_of(m));
-  c.push = sc_scale(-1, gap.normal);
-  c.arm_a = sc_scale(gap.distance, gap.normal);
-  c.overlap = m[lane::radius] - gap.distance;
-  c.surface = sc_zero_vec();
-  if (pose.moves)
-    c.surface = sc_wall_speed(pose, pose.velocity_now, pose.spin_now, sc_wall_arm(pose, vec_of(m), gap), gap.normal);
-}
-
-void load_bodies(const Particles& p, std::vector<HardBody>& bodies) {
-  bodies.resize(p.size());
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double *m = p.motion.row(i), *spin = p.spin.row(i);
-    HardBody& body = bodies[i];
-    body.velocity = vec_of(m + lane::vx);
-    body.spin = sc_scale(spin[lane::inverse_radius], vec_of(spin));
-    body.inverse_mass = m[lane::inverse_mass];
-    const double per_radius = spin[lane::inverse_radius];
-    body.inverse_inertia = sc_diagonal_mat(2.5 * body.inverse_mass * per_radius * per_radius);
-  }
-}
-
 }  // namespace
-
-void look_again(const ParticleSystem& s, HardContact& c) {
-  if (c.at_wall())
-    look_at_wall(s, c);
-  else
-    look_at_pair(s, c);
-}
 
 void find_hard_contacts(ParticleSystem& s, ContactLists& lists, HardContacts& out) {
   load_bodies(s.particles, out.bodies);
@@ -154,9 +164,9 @@ void find_hard_contacts(ParticleSystem& s, ContactLists& lists, HardContacts& ou
   const SweepView view = view_of(s, lists, {}, {}, nullptr);
   if (s.walls.size()) find_walls(s, view, out.all);
   std::sort(out.all.begin(), out.all.end(), [](const HardContact& x, const HardContact& y) {
-    return std::tuple(x.at_wall(), x.low, x.high) < std::tuple(y.at_wall(), y.low, y.high);
+    return std::tuple(x.at_wall(), x.low, x.high, x.memory) < std::tuple(y.at_wall(), y.low, y.high, y.memory);
   });
-  for (HardContact& c : out.all) look_again(s, c);
+  look_again(s, out);
 }
 
 }  // namespace scree

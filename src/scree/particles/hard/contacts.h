@@ -26,6 +26,7 @@ struct HardContact {
   std::int64_t low = 0, high = 0;            // key: ids; number of the face
   bool began = false;                        // did not touch one step before
   bool slid = false;                         // slid at the end of the step before
+  bool left_alone = false;                   // in the middle of a step: it will be a collision
   sc_impact_law law{};                       // of the two materials
   sc_vec push{};                             // unit normal from B to A
   sc_vec arm_a{}, arm_b{};                   // from the centres to the point [m]
@@ -52,9 +53,6 @@ struct HardContacts {
 
 /// Finds all pairs and walls that touch at the present places, and remembers that in the contacts of the system.
 void find_hard_contacts(ParticleSystem& system, ContactLists& lists, HardContacts& out);
-
-/// Looks again where the bodies of a contact, known to touch, are now.
-void look_again(const ParticleSystem& system, HardContact& contact);
 
 /// Velocity of A at the contact point, seen from B [m/s].
 inline sc_vec contact_velocity(const std::vector<HardBody>& bodies, const HardContact& c) {

@@ -1,6 +1,8 @@
 #include "scree/particles/hard/motion.h"
 
 #include "scree/compute/launch.h"
+#include "scree/kernels/move_body.h"
+#include "scree/particles/shapes.h"
 #include "scree/particles/sweep_move.h"
 
 namespace scree {
@@ -12,10 +14,60 @@ void add(double* to, sc_vec v) {
   to[2] += v.z;
 }
 
+/// Spin and inertia of shape i with its present orientation; a body that nothing moves keeps its spin.
+void take_rotation(const Particles& p, std::size_t i, HardBody& body) {
+  const sc_vec inverse_moments = vec_of(p.inertia.row(i));
+  const sc_mat axes = sc_quat_mat(orientation_of(p, i));
+  body.inverse_inertia = sc_inverse_inertia_of(axes, inverse_moments);
+  if (body.inverse_mass > 0) body.spin = sc_spin_of(axes, vec_of(p.angular_momentum.row(i)), inverse_moments);
+}
+
+/// Rotates shape i freely after its centre went by `shift`, and notes how far its surface went.
+void rotate(Particles& p, std::size_t i, HardBody& body, sc_vec shift, double time) {
+  const sc_quat before = orientation_of(p, i);
+  double* momentum = p.angular_momentum.row(i);
+  const sc_quat after = body.inverse_mass > 0
+                            ? sc_rotate_keeping_energy(before, vec_of(momentum), vec_of(p.inertia.row(i)), time)
+                            : sc_quat_turned(before, sc_scale(time, body.spin));
+  double* q = p.orientation.row(i);
+  q[0] = after.w;
+  q[1] = after.x;
+  q[2] = after.y;
+  q[3] = after.z;
+  momentum[lane::path] += sc_surface_path(shift, before, after, p.motion.row(i)[lane::radius]);
+  take_rotation(p, i, body);
+}
+
 }  // namespace
 
-void drift(Particles& p, const std::vector<HardBody>& bodies, double time) {
-  launch(p.size(), [&](std::size_t i) { add(p.motion.row(i), sc_scale(time, bodies[i].velocity)); });
+void load_bodies(const Particles& p, std::vector<HardBody>& bodies) {
+  bodies.resize(p.size());
+  launch(p.size(), [&](std::size_t i) {
+    const double *m = p.motion.row(i), *spin = p.spin.row(i);
+    HardBody& body = bodies[i];
+    body.velocity = vec_of(m + lane::vx);
+    body.spin = sc_scale(spin[lane::inverse_radius], vec_of(spin));
+    body.inverse_mass = m[lane::inverse_mass];
+    const double per_radius = spin[lane::inverse_radius];
+    body.inverse_inertia = sc_diagonal_mat(2.5 * body.inverse_mass * per_radius * per_radius);
+    if (p.shaped()) take_rotation(p, i, body);
+  });
+}
+
+void turn_shapes(Particles& p, const HardContacts& h, sc_vec HardContact::*impulse) {
+  if (!p.shaped()) return;
+  for (const HardContact& c : h.all) {
+    if (h.bodies[c.a].inverse_mass > 0) add(p.angular_momentum.row(c.a), sc_cross(c.arm_a, c.*impulse));
+    if (!c.at_wall() && h.bodies[c.b].inverse_mass > 0) add(p.angular_momentum.row(c.b), sc_cross(c.*impulse, c.arm_b));
+  }
+}
+
+void drift(Particles& p, std::vector<HardBody>& bodies, double time) {
+  launch(p.size(), [&](std::size_t i) {
+    const sc_vec shift = sc_scale(time, bodies[i].velocity);
+    add(p.motion.row(i), shift);
+    if (p.shaped()) rotate(p, i, bodies[i], shift, time);
+  });
 }
 
 void push(const Particles& p, std::vector<HardBody>& bodies, const sc_move& move, const sc_field* field,

@@ -10,8 +10,15 @@ struct HardPush {
   sc_vec drag{}, body{};  // impulses [N s]
 };
 
-/// Carries every body for `time` [s] with its velocity. Does not put it back into the box.
-void drift(Particles& particles, const std::vector<HardBody>& bodies, double time);
+/// The bodies as they are.
+void load_bodies(const Particles& particles, std::vector<HardBody>& bodies);
+
+/// What impulses at the contacts, HardContact::struck or ::held, give to the angular momenta of shapes.
+void turn_shapes(Particles& particles, const HardContacts& contacts, sc_vec HardContact::*impulse);
+
+/// Carries every body for `time` [s] with its velocity, and lets shapes rotate freely, whose spin and inertia in the
+/// world then are those of the new orientations. Does not put anybody back into the box.
+void drift(Particles& particles, std::vector<HardBody>& bodies, double time);
 
 /// Gravity, drag and the frame's forces act for the kick of `move`, at the present places (kernels/move_centre.h).
 /// `field` as in a pass.

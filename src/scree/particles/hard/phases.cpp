@@ -17,6 +17,17 @@ void book_loss(HardContact& c, sc_vec impulse, sc_vec before, sc_vec after) {
   c.lost_sliding += all - normal;
 }
 
+double threshold_of(const HardSettings& settings, double gravity_speed) {
+  return settings.threshold.value_or(2 * gravity_speed);
+}
+
+/// Whether what is in contact in the middle of a step is on its way to a collision, which the next step will find: it
+/// approached before the forces, faster than what a bounce takes that is over before the step is. Points of contact of
+/// bodies that turn may begin to approach while they touch.
+bool is_collision(double before, double after, double threshold) {
+  return before > std::max(threshold, 2 * (after - before));
+}
+
 /// Approaches that end, one contact after the other.
 double strike(HardContacts& h, HardContact& c, double threshold, bool rub) {
   const sc_vec before = contact_velocity(h.bodies, c);
@@ -47,7 +58,7 @@ void collide(HardContacts& h, const HardSettings& settings, double gravity_speed
     c.approach = std::max(0.0, -sc_dot(c.push, contact_velocity(h.bodies, c)));
     fastest = std::max(fastest, c.approach);
   }
-  const double threshold = settings.threshold.value_or(2 * gravity_speed);
+  const double threshold = threshold_of(settings, gravity_speed);
   if (fastest <= threshold) return;
   if (settings.sequential) {
     for (HardContact& c : h.all) strike(h, c, threshold, false);
@@ -58,21 +69,26 @@ void collide(HardContacts& h, const HardSettings& settings, double gravity_speed
     if (visit_all(h, visit) <= settings.residual * settings.residual * fastest) break;
 }
 
-void hold(HardContacts& h, const std::vector<HardBody>& before, const HardSettings& settings) {
+void hold(HardContacts& h, const std::vector<HardBody>& before, const HardSettings& settings, double gravity_speed) {
+  const double threshold = threshold_of(settings, gravity_speed);
   double fastest = 0;
   std::vector<sc_vec> start(h.all.size());
-  for (std::size_t k = 0; k < h.all.size(); ++k) start[k] = contact_velocity(before, h.all[k]);
-  for (HardContact& c : h.all) {
+  for (std::size_t k = 0; k < h.all.size(); ++k) {
+    HardContact& c = h.all[k];
+    start[k] = contact_velocity(before, c);
     c.hold = sc_make_hold(c.push, contact_response(h, c), c.slid ? c.law.friction : c.law.friction_static);
-    fastest = std::max(fastest, -sc_dot(c.push, contact_velocity(h.bodies, c)));
+    const double approach = -sc_dot(c.push, contact_velocity(h.bodies, c));
+    c.left_alone = is_collision(-sc_dot(c.push, start[k]), approach, threshold);
+    if (!c.left_alone) fastest = std::max(fastest, approach);
   }
   if (fastest > 0) {
-    for (HardContact& c : h.all) c.held = sc_allowed(c.hold, c.held);
+    for (HardContact& c : h.all) c.held = c.left_alone ? sc_zero_vec() : sc_allowed(c.hold, c.held);
     visit_all(h, [&](HardContact& c) {
       give(h, c, c.held);
       return 0.0;
     });
     const auto visit = [&](HardContact& c) {
+      if (c.left_alone) return 0.0;
       const sc_vec next = sc_hold_on(c.hold, c.held, contact_velocity(h.bodies, c));
       const sc_vec change = sc_sub(next, c.held);
       if (change.x == 0 && change.y == 0 && change.z == 0) return 0.0;

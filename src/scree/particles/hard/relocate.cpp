@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scree/particles/hard/colours.h"
+#include "scree/particles/hard/look.h"
 
 namespace scree {
 namespace {
@@ -61,9 +62,10 @@ double relocate(ParticleSystem& s, HardContacts& h, const HardSettings& settings
     m[0] += way[i].x;
     m[1] += way[i].y;
     m[2] += way[i].z;
+    if (s.particles.shaped()) s.particles.angular_momentum.row(i)[lane::path] += 1.000001 * SC_SQRT(square);
     book(s.particles, i, way[i], gravity);
   }
-  for (HardContact& c : h.all) look_again(s, c);
+  look_again(s, h);
   return SC_SQRT(farthest2);
 }
 

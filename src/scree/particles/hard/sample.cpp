@@ -5,6 +5,7 @@
 #include "scree/compute/launch.h"
 #include "scree/particles/contact_state.h"
 #include "scree/particles/rows.h"
+#include "scree/particles/shapes.h"
 
 namespace scree {
 namespace {
@@ -42,6 +43,29 @@ void add_pairs(const ParticleSystem& s, const ContactLists& lists, double dt, Sa
   });
 }
 
+/// Where contact w of particle i with a wall is now, from the pivot of the wall; leaves the gap there.
+sc_vec arm_at_wall(ParticleSystem& s, std::size_t i, std::int32_t w) {
+  WallContacts& walls = s.wall_contacts;
+  const sc_wall_pose& pose = s.walls.pose_of(walls.wall[w]);
+  const sc_vec place = vec_of(s.particles.motion.row(i));
+  if (is_sphere(s.particles, i)) {
+    walls.gap[w] = sc_gap_to_wall(s.walls.faces[walls.wall[w]], pose, place);
+    return sc_wall_arm(pose, place, walls.gap[w]);
+  }
+  const sc_body_gap gap = gap_of_shape(s, i, w);
+  walls.gap[w] = {gap.normal, gap.support - gap.overlap, gap.corners};
+  double* row = &walls.shape[wall_memory * std::size_t(w)];
+  put(row + 4, gap.arm);
+  row[wall_scratch + 1] = gap.overlap;
+  return sc_sub(sc_add(place, gap.arm), pose.place);
+}
+
+/// By how much particle i overlaps the wall of its contact w, whose gap is known [m].
+double overlap_at_wall(const ParticleSystem& s, std::size_t i, std::int32_t w) {
+  if (is_sphere(s.particles, i)) return s.particles.motion.row(i)[lane::radius] - s.wall_contacts.gap[w].distance;
+  return s.wall_contacts.shape[wall_memory * std::size_t(w) + wall_scratch + 1];
+}
+
 /// Forces and moments of particles on walls, added to the particles too.
 void add_walls(ParticleSystem& s, double dt, Sample& out) {
   WallContacts& walls = s.wall_contacts;
@@ -51,11 +75,8 @@ void add_walls(ParticleSystem& s, double dt, Sample& out) {
       double* load = &out.wall_load[8 * std::size_t(w)];
       std::fill_n(load, 8, 0.0);
       if (!walls.active[w]) continue;
-      const sc_wall_pose& pose = s.walls.pose_of(walls.wall[w]);
-      const sc_vec place = vec_of(s.particles.motion.row(i));
-      walls.gap[w] = sc_gap_to_wall(s.walls.faces[walls.wall[w]], pose, place);
       const sc_vec force = mean_force(walls.slide, walls.roll, static_cast<std::size_t>(w), dt);
-      const sc_vec moment = sc_cross(sc_wall_arm(pose, place, walls.gap[w]), force);
+      const sc_vec moment = sc_cross(arm_at_wall(s, i, w), force);
       put(load, sc_scale(-1, force));
       put(load + 4, sc_scale(-1, moment));
       put(&out.force[4 * i], sc_add(vec_of(&out.force[4 * i]), force));
@@ -69,15 +90,15 @@ SweepFindings find(const ParticleSystem& s) {
   for (std::size_t c = 0; c < s.contacts.pairs.count; ++c) {
     if (!s.contacts.active[c]) continue;
     ++out.contacts;
-    const double smaller = std::min(p.motion.row(s.contacts.pairs.owner[c])[lane::radius],
-                                    p.motion.row(s.contacts.pairs.partner[c])[lane::radius]);
-    out.deepest = std::max(out.deepest, touch_of_pair(s, c).touch.overlap / smaller);
+    const double smaller =
+        std::min(p.radius_by_volume(s.contacts.pairs.owner[c]), p.radius_by_volume(s.contacts.pairs.partner[c]));
+    out.deepest = std::max(out.deepest, overlap_of_pair(s, c) / smaller);
   }
   for (std::size_t i = 0; i + 1 < s.wall_contacts.first.size(); ++i)
     for (std::int32_t w = s.wall_contacts.first[i]; w < s.wall_contacts.first[i + 1]; ++w) {
       if (!s.wall_contacts.active[w]) continue;
       ++out.contacts;
-      out.deepest = std::max(out.deepest, 1 - s.wall_contacts.gap[w].distance / p.motion.row(i)[lane::radius]);
+      out.deepest = std::max(out.deepest, overlap_at_wall(s, i, w) / p.radius_by_volume(i));
     }
   return out;
 }

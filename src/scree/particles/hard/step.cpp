@@ -5,8 +5,10 @@
 
 #include "scree/particles/hard/books.h"
 #include "scree/particles/hard/colours.h"
+#include "scree/particles/hard/look.h"
 #include "scree/particles/hard/phases.h"
 #include "scree/particles/hard/relocate.h"
+#include "scree/particles/shapes.h"
 
 namespace scree {
 namespace {
@@ -27,14 +29,22 @@ void count_impacts(const HardContacts& h, SweepFindings& findings) {
   }
 }
 
+/// Half the least thickness of a body [m].
+double least_radius(const ParticleSystem& s, std::size_t i) {
+  const double radius = s.particles.motion.row(i)[lane::radius];
+  if (is_sphere(s.particles, i)) return radius;
+  const sc_vec axes = s.forms[static_cast<std::size_t>(s.particles.form[i])].shape.axes;
+  return radius * std::min({axes.x, axes.y, axes.z});
+}
+
 /// How far bodies went.
-void measure_ways(const Particles& p, const sc_move& move, HardStep& step) {
+void measure_ways(const ParticleSystem& s, const sc_move& move, HardStep& step) {
   step.way = step.stride = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
+  for (std::size_t i = 0; i < s.particles.size(); ++i) {
     const sc_vec sum = sc_add(step.before[i].velocity, step.contacts.bodies[i].velocity);
     const double way = 0.5 * move.drift * sc_norm(sum);
     step.way = std::max(step.way, step.relocated + way);
-    step.stride = std::max(step.stride, way / p.motion.row(i)[lane::radius]);
+    step.stride = std::max(step.stride, way / least_radius(s, i));
   }
 }
 
@@ -50,8 +60,9 @@ void collide_and_drift(ParticleSystem& s, ContactLists& lists, const HardSetting
   collide(h, settings, move.kick * sc_norm(move.gravity));
   count_impacts(h, step.findings);
   book_contacts(s.particles, h, &HardContact::struck);
-  step.before = h.bodies;
+  turn_shapes(s.particles, h, &HardContact::struck);
   drift(s.particles, h.bodies, 0.5 * move.drift);
+  step.before = h.bodies;
 }
 
 void push_and_hold(ParticleSystem& s, ContactLists& lists, const HardSettings& settings, const sc_move& move,
@@ -59,15 +70,16 @@ void push_and_hold(ParticleSystem& s, ContactLists& lists, const HardSettings& s
   HardContacts& h = step.contacts;
   push(s.particles, h.bodies, move, field, step.given);
   if (!settings.sequential) {
-    for (HardContact& c : h.all) look_again(s, c);
-    hold(h, step.before, settings);
+    look_again(s, h);
+    hold(h, step.before, settings, move.kick * sc_norm(move.gravity));
     book_contacts(s.particles, h, &HardContact::held);
+    turn_shapes(s.particles, h, &HardContact::held);
   }
   const SweepView view = view_of(s, lists, move, {}, field);
   book_push(s.particles, step.before, h.bodies, move, view.book_gravity, step.given);
   drift(s.particles, h.bodies, 0.5 * move.drift);
   settle(view, h.bodies, step.findings);
-  measure_ways(s.particles, move, step);
+  measure_ways(s, move, step);
   remember(s, h);
 }
 

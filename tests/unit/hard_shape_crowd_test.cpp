@@ -1,0 +1,189 @@
+// Crowds of bodies of many shapes with hard collisions: no gain of energy, books that close to round-off, and the same
+// bits however they are computed.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine_cases.h"
+#include "scree/analysis/ledger.h"
+#include "scree/analysis/measure.h"
+
+namespace scree {
+namespace {
+
+using namespace test;
+
+/// Ellipsoids with three different moments, cylinders, boxes, plates and spheres that rush about.
+std::string crowd_text(int each, double side, const std::string& material, const std::string& more) {
+  const char* const shapes[] = {"shape = \"ellipsoid\"\nhalf_axes = [3e-3, 2e-3, 1.5e-3]\n",
+                                "shape = \"cylinder\"\nhalf_axes = [1.5e-3, 1.5e-3, 3e-3]\n",
+                                "shape = \"box\"\nhalf_axes = [2.5e-3, 1.5e-3, 2e-3]\n",
+                                "shape = \"superellipsoid\"\nexponents = [1.5, 0.3]\nhalf_axes = [3e-3, 3e-3, 1e-3]\n",
+                                "diameter = 3e-3\n"};
+  std::string text = fmt::format(
+      "[simulation]\nend = 10\ntime_step = 1e-4\nmax_overlap = 0.9\nseed = 5\n"
+      "[domain]\nmin = [-0.001, -0.001, -0.001]\nmax = [{0}, {0}, {0}]\n{1}[contact]\ncollision = \"hard\"\n"
+      "[[materials]]\nname = \"glass\"\ndensity = 2000\n{2}",
+      side + 0.001, more, material);
+  for (const char* shape : shapes)
+    text += fmt::format(
+        "[[particles]]\nmaterial = \"glass\"\n{}insert = \"random\"\ncount = {}\nregion_min = [0, 0, 0]\n"
+        "region_max = [{}, {}, {}]\nvelocity = {{ type = \"random\", deviation = 0.5 }}\n"
+        "angular_velocity = [60, -90, 40]\n{}",
+        shape, each, side, side, side, shape[0] == 's' ? "orientation = \"random\"\n" : "");
+  return text;
+}
+
+std::string box_text(double side) {
+  return fmt::format(
+      "[[walls]]\nname = \"box\"\ntype = \"box\"\nmaterial = \"glass\"\nmin = [0, 0, 0]\nmax = [{0}, {0}, {0}]\n",
+      side);
+}
+
+/// Long steps for many collisions.
+const Overrides quick = {"simulation.time_step=4e-4"};
+
+const char* const weight = "[gravity]\ntype = \"uniform\"\nacceleration = [0.3, 0, -9.81]\n";
+const char* const rough = "restitution = 0.7\nfriction = 0.5\nfriction_sliding = 0.3\ntangential_restitution = 0.2\n";
+
+/// Kinetic energy of translation and rotation.
+double energy(const Particles& p) {
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double *m = p.motion.row(i), *spin = p.spin.row(i), *l = p.angular_momentum.row(i);
+    sum += 0.5 * p.mass[i] * (m[4] * m[4] + m[5] * m[5] + m[6] * m[6]);
+    sum += 0.5 * spin[3] * (spin[0] * l[0] + spin[1] * l[1] + spin[2] * l[2]);
+  }
+  return sum;
+}
+
+TEST(HardShapeCrowd, WithoutLossKeepsItsEnergy) {
+  Simulation s(case_of(crowd_text(24, 0.036, "restitution = 1\n", "") + box_text(0.036), quick), {2});
+  const double start = energy(s.system().particles);
+  for (int k = 0; k < 400; ++k) {
+    s.step();
+    ASSERT_NEAR(energy(s.system().particles), start, 1e-12 * start) << k;
+  }
+  EXPECT_GT(s.tally().impacts, 1000);
+}
+
+// Collisions with loss and friction, 8 000 of them between particles, and not one step of them in which there is more energy than before.
+TEST(HardShapeCrowd, NeverGainsEnergy) {
+  std::int64_t impacts = 0;
+  for (const char* material :
+       {"restitution = 0.95\nfriction = 0.3\n", "restitution = 1\nfriction = 0.5\ntangential_restitution = 1\n"}) {
+    Simulation s(case_of(crowd_text(50, 0.038, material, "") + box_text(0.038), quick), {2});
+    double last = energy(s.system().particles);
+    for (int k = 0; k < 600; ++k) {
+      s.step();
+      const double now = energy(s.system().particles);
+      ASSERT_LE(now, last * (1 + 1e-13)) << k;
+      last = now;
+    }
+    impacts += s.tally().impacts;
+  }
+  EXPECT_GT(impacts, 8000);
+}
+
+double norm(const std::array<double, 3>& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+struct Closure {
+  double energy = 0, momentum = 0, angular = 0;  // largest relative errors
+  std::int64_t impacts = 0;
+};
+
+Closure follow(const Case& c, int steps, const std::vector<std::string>& omit = {}) {
+  Simulation s(c, {2});
+  Books books;
+  Closure out;
+  double turn = 0;
+  for (int k = 0; k <= 10; ++k) {
+    if (k) advance(s, steps / 10);
+    Measured now = measure(s.sample(), s.fields(), s.clock().now());
+    leave_out(now, omit);
+    if (k == 0) books = open_books(now);
+    enter(books, now);
+    const LedgerRow row = balance(books, now, s.system().domain.any_periodic());
+    turn = std::max(turn, norm(now.angular_momentum));
+    out.energy = std::max(out.energy, std::abs(row.relative_energy_error()));
+    out.momentum = std::max(out.momentum, row.relative_momentum_error);
+    out.angular = std::max(out.angular, row.angular_momentum_error);
+  }
+  out.angular /= turn;
+  out.impacts = s.tally().impacts;
+  return out;
+}
+
+TEST(HardShapeCrowd, ClosesItsBooks) {
+  const Case c = case_of(crowd_text(16, 0.03, rough, weight) + box_text(0.03));
+  const Closure found = follow(c, 800);
+  EXPECT_GT(found.impacts, 300);
+  EXPECT_LT(found.energy, 1e-12);
+  EXPECT_LT(found.momentum, 1e-12);
+  EXPECT_LT(found.angular, 1e-11);
+  for (const char* channel : {"normal", "sliding", "relocation"})
+    EXPECT_GT(follow(c, 200, {channel}).energy, 1e-6) << channel << " left out and not missed";
+  for (const char* channel : {"momentum_impulse", "angular_impulse"}) {
+    const Closure wrong = follow(c, 200, {channel});
+    EXPECT_GT(std::max(wrong.momentum, wrong.angular), 1e-6) << channel << " left out and not missed";
+  }
+}
+
+TEST(HardShapeCrowd, InFreeSpaceKeepsItsMomenta) {
+  const Closure found =
+      follow(case_of(crowd_text(24, 0.03, rough, ""), {"domain.min=[-9,-9,-9]", "domain.max=[9,9,9]"}), 400);
+  EXPECT_GT(found.impacts, 200);
+  EXPECT_LT(found.energy, 1e-12);
+  EXPECT_LT(found.momentum, 1e-14);
+  EXPECT_LT(found.angular, 5e-13);
+}
+
+struct Outcome {
+  std::string hash;
+  std::int64_t contacts, impacts, impact_speed;
+  auto operator<=>(const Outcome&) const = default;
+};
+
+Outcome outcome(const Case& c, int threads, int steps, double skin = 0) {
+  Case own = c;
+  own.simulation.skin = skin;
+  Simulation s(own, {threads, 8});
+  advance(s, steps);
+  return {s.state_hash(), s.tally().contacts, s.tally().impacts, s.tally().impact_speed};
+}
+
+TEST(HardShapeCrowd, HasBitsThatDependOnNothingButTheCase) {
+  const Case c = case_of(crowd_text(16, 0.028, rough, weight) + box_text(0.028),
+                         {"gravity.acceleration=[0.3, 0, -60]", "hard.sweeps=10"});
+  const Outcome truth = outcome(c, 1, 250);
+  EXPECT_GT(truth.contacts, 1500);
+  EXPECT_GT(truth.impacts, 50);
+  for (const int threads : {2, 3}) EXPECT_EQ(outcome(c, threads, 250), truth) << threads;
+  for (const double skin : {1e-4, 3e-3}) EXPECT_EQ(outcome(c, 1, 250, skin), truth) << skin;
+}
+
+TEST(HardShapeCrowd, GoesOnWithTheSameBits) {
+  const Case c = case_of(crowd_text(16, 0.03, rough, weight) + box_text(0.03));
+  Simulation whole(c, {2});
+  advance(whole, 300);
+  const Archive archive = whole.save();
+  advance(whole, 200);
+  Simulation rest(c, {1}, &archive);
+  rest.restore(archive);
+  advance(rest, 200);
+  EXPECT_EQ(rest.state_hash(), whole.state_hash());
+}
+
+TEST(HardShapeCrowd, DoesNotFeelASample) {
+  const Case c = case_of(crowd_text(10, 0.026, rough, weight) + box_text(0.026));
+  Simulation looked_at(c, {2});
+  for (int k = 0; k < 200; ++k) {
+    if (k % 7 == 0) looked_at.sample();
+    looked_at.step();
+  }
+  EXPECT_EQ(looked_at.state_hash(), outcome(c, 1, 200).hash);
+}
+
+}  // namespace
+}  // namespace scree
