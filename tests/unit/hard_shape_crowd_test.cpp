@@ -68,7 +68,8 @@ TEST(HardShapeCrowd, WithoutLossKeepsItsEnergy) {
   EXPECT_GT(s.tally().impacts, 1000);
 }
 
-// Collisions with loss and friction, 8 000 of them between particles, and not one step of them in which there is more energy than before.
+// Collisions with loss and friction, 8 000 of them between particles, and not one step of them in which there is more
+// energy than before.
 TEST(HardShapeCrowd, NeverGainsEnergy) {
   std::int64_t impacts = 0;
   for (const char* material :
