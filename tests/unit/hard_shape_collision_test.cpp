@@ -143,6 +143,24 @@ TEST(HardShapeCollision, WithAPlaneAtAllTiltsIsThatOfRigidBodies) {
       }
 }
 
+// One that falls flat does not begin to turn: the impulse acts in the middle of its feet.
+TEST(HardShapeCollision, OfABoxThatFallsFlatGoesThroughItsMiddle) {
+  const std::string floor =
+      "[[walls]]\nname = \"floor\"\ntype = \"plane\"\nmaterial = \"glass\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n";
+  const Body b = body({1, .7, .5}, 20, 20, .01);
+  for (const double tilt : {0.0, 1e-7, 1e-4}) {
+    const std::array<double, 4> q{std::cos(0.5 * tilt), std::sin(0.5 * tilt), 0, 0};
+    const Vec place{0, 0, b.axes().z + 1e-12L};
+    Simulation s(case_of(head("restitution = 0.5\n") + body_text(b, place, q, {0, 0, -1}, {0, 0, 0}) + floor,
+                         {"simulation.time_step=1e-7"}),
+                 {1});
+    advance(s, 3);
+    const std::size_t i = 0;
+    EXPECT_NEAR(s.system().particles.motion.row(i)[lane::vz], 0.5, 1e-3) << tilt;
+    EXPECT_LT(std::abs(s.system().particles.spin.row(i)[0]), 0.02) << tilt;  // the surface, [m/s]
+  }
+}
+
 // Two bodies of different sizes that just touch, with any normal and any motion; each of them has the lower id once.
 TEST(HardShapeCollision, OfTwoBodiesIsThatOfRigidBodies) {
   std::mt19937_64 random(36);

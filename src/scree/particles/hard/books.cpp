@@ -1,5 +1,7 @@
 #include "scree/particles/hard/books.h"
 
+#include <algorithm>
+
 #include "scree/particles/rows.h"
 
 namespace scree {
@@ -33,6 +35,13 @@ void book_losses(Particles& p, const HardContact& c) {
   p.loss.row(c.b)[1] += share * c.lost_sliding;
 }
 
+/// Gives shapes their angular momentum.
+void turn_shapes(Particles& p, const HardContacts& h, const HardContact& c, const HardPoint& point, sc_vec on_a) {
+  if (!p.shaped()) return;
+  if (h.bodies[c.a].inverse_mass > 0) add(p.angular_momentum.row(c.a), sc_cross(point.arm_a, on_a));
+  if (!c.at_wall() && h.bodies[c.b].inverse_mass > 0) add(p.angular_momentum.row(c.b), sc_cross(on_a, point.arm_b));
+}
+
 void put(double* to, double sign, sc_vec v) {
   to[0] = sign * v.x;
   to[1] = sign * v.y;
@@ -41,18 +50,23 @@ void put(double* to, double sign, sc_vec v) {
 
 }  // namespace
 
-void book_contacts(Particles& p, HardContacts& h, sc_vec HardContact::*impulse) {
+void book_contacts(Particles& p, HardContacts& h, sc_vec HardPoint::*impulse, sc_vec HardContact::*sum) {
   for (HardContact& c : h.all) {
     book_losses(p, c);
     c.lost_normal = c.lost_sliding = 0;
-    const sc_vec on_a = c.*impulse;
-    if (c.at_wall()) {
-      book_outside(p, c.a, c.a, c.arm_a, on_a);
-      p.work.row(c.a)[3] += sc_dot(on_a, c.surface);
-      continue;
+    c.*sum = sc_zero_vec();
+    for (const HardPoint& point : h.points_of(c)) {
+      const sc_vec on_a = point.*impulse;
+      c.*sum = sc_add(c.*sum, on_a);
+      turn_shapes(p, h, c, point, on_a);
+      if (c.at_wall()) {
+        book_outside(p, c.a, c.a, point.arm_a, on_a);
+        p.work.row(c.a)[3] += sc_dot(on_a, point.surface);
+        continue;
+      }
+      if (h.bodies[c.a].inverse_mass == 0) book_fixed(p, h, c.a, point.arm_a, sc_scale(-1, on_a));
+      if (h.bodies[c.b].inverse_mass == 0) book_fixed(p, h, c.b, point.arm_b, on_a);
     }
-    if (h.bodies[c.a].inverse_mass == 0) book_fixed(p, h, c.a, c.arm_a, sc_scale(-1, on_a));
-    if (h.bodies[c.b].inverse_mass == 0) book_fixed(p, h, c.b, c.arm_b, on_a);
   }
 }
 
@@ -64,6 +78,9 @@ void remember(ParticleSystem& s, const HardContacts& h) {
       put(&s.wall_contacts.roll[at], 1, c.struck);
       s.wall_contacts.slide[at + 3] = c.approach;
       s.wall_contacts.active[c.memory] = contact_code(true, c.slid);
+      if (s.particles.shaped())
+        for (std::size_t k = 0; k < 2; ++k)
+          s.wall_contacts.shape[wall_memory * std::size_t(c.memory) + wall_lean[k]] = c.lean[k];
       continue;
     }
     const double on_owner = s.contacts.pairs.owner[c.memory] == c.a ? 1 : -1;
@@ -71,6 +88,8 @@ void remember(ParticleSystem& s, const HardContacts& h) {
     put(&s.contacts.roll[at], on_owner, c.struck);
     s.contacts.slide[at + 3] = c.approach;
     s.contacts.active[c.memory] = contact_code(true, c.slid);
+    if (s.particles.shaped())
+      std::copy_n(c.lean, 2, &s.contacts.shape[pair_memory * std::size_t(c.memory) + pair_lean]);
   }
 }
 

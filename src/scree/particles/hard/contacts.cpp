@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "scree/particles/contact_state.h"
+#include "scree/particles/hard/books.h"
 #include "scree/particles/hard/look.h"
 #include "scree/particles/hard/motion.h"
 #include "scree/particles/shapes.h"
@@ -80,6 +81,7 @@ HardContact pair_contact(const ParticleSystem& s, std::size_t c) {
   const double sign = out.a == s.contacts.pairs.owner[c] ? 1 : -1;
   out.held = sc_scale(sign, vec_of(&s.contacts.slide[4 * c]));
   out.smaller = std::min(p.radius_by_volume(out.a), p.radius_by_volume(out.b));
+  if (s.contacts.remembers_shapes) std::copy_n(&s.contacts.shape[pair_memory * c + pair_lean], 2, out.lean);
   return out;
 }
 
@@ -96,6 +98,9 @@ HardContact wall_contact(const ParticleSystem& s, std::int32_t particle, std::in
   out.slid = s.wall_contacts.active[w] == contact_code(true, true);
   out.held = vec_of(&s.wall_contacts.slide[4 * std::size_t(w)]);
   out.smaller = p.radius_by_volume(particle);
+  if (p.shaped())
+    for (std::size_t k = 0; k < 2; ++k)
+      out.lean[k] = s.wall_contacts.shape[wall_memory * std::size_t(w) + wall_lean[k]];
   return out;
 }
 
@@ -130,7 +135,7 @@ bool touches_wall(const AmongWalls& among, const ParticleSystem& s, std::int32_t
   if (is_sphere(s.particles, static_cast<std::size_t>(among.p)))
     return among.gap(w).distance <= s.particles.motion.row(among.p)[lane::radius];
   const sc_body_gap gap = noted_gap(among, w);
-  if (gap.overlap >= 0) keep_place(among, w, gap.arm, {});
+  if (gap.overlap >= 0) keep_place(among, w, gap.arm, memory_at_wall(memory_row(among.v, w)));
   return gap.overlap >= 0;
 }
 
@@ -166,6 +171,8 @@ void find_hard_contacts(ParticleSystem& s, ContactLists& lists, HardContacts& ou
   std::sort(out.all.begin(), out.all.end(), [](const HardContact& x, const HardContact& y) {
     return std::tuple(x.at_wall(), x.low, x.high, x.memory) < std::tuple(y.at_wall(), y.low, y.high, y.memory);
   });
+  out.room = s.particles.shaped() ? 1 + hard_feet : 1;
+  out.points.assign(out.room * out.all.size(), {});
   look_again(s, out);
 }
 

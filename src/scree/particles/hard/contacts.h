@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scree/particles/system.h"
@@ -16,7 +17,22 @@ struct HardBody {
   sc_mat inverse_inertia{};   // [1/(kg m2)]
 };
 
-/// One point at which two bodies touch, or a body and a wall. A is the particle with the lower id.
+/// At most so many points bear a flat contact.
+inline constexpr int hard_feet = 4;
+
+/// One point of a contact.
+struct HardPoint {
+  sc_vec arm_a{}, arm_b{};  // from the centres [m]
+  sc_vec surface{};         // velocity of the wall there [m/s]
+  double overlap = 0;       // [m]
+  double leave = 0;         // speed at which it may approach, because it is less deep than others [m/s]
+  bool left_alone = false;  // in the middle of a step: it will be a collision
+  sc_hold hold{};           // response and what follows from it
+  sc_vec struck{}, held{};  // impulses on A of the collision and of the rest of this step [N s]
+};
+
+/// Two bodies that touch, or a body and a wall. A is the particle with the lower id. The first point is where they
+/// touch; a flat contact has that in the middle, and feet besides.
 struct HardContact {
   static constexpr std::int32_t wall = -1;
 
@@ -26,18 +42,19 @@ struct HardContact {
   std::int64_t low = 0, high = 0;            // key: ids; number of the face
   bool began = false;                        // did not touch one step before
   bool slid = false;                         // slid at the end of the step before
-  bool left_alone = false;                   // in the middle of a step: it will be a collision
+  std::int8_t points = 1;                    // how many there are
   sc_impact_law law{};                       // of the two materials
   sc_vec push{};                             // unit normal from B to A
-  sc_vec arm_a{}, arm_b{};                   // from the centres to the point [m]
+  sc_vec along{};                            // a direction across, of a flat contact
   double overlap = 0, smaller = 0;           // [m]; radius of the smaller body [m]
-  sc_vec surface{};                          // velocity of the wall at the point [m/s]
-  sc_hold hold{};                            // response and what follows from it
-  sc_vec struck{}, held{};                   // impulses on A of the collision and of the rest of this step [N s]
+  sc_vec struck{}, held{};                   // sums over the points [N s]
+  double lean[2] = {0, 0};                   // of the loads held by feet: their moments along and across [N s m]
   double approach = 0;                       // speed at which the two met [m/s]
   double lost_normal = 0, lost_sliding = 0;  // in the present phase [J]
 
   bool at_wall() const { return b == wall; }
+  /// The point that bears in the phase of rest first: feet bear in place of the middle.
+  int first_bearing() const { return points > 1 ? 1 : 0; }
 };
 
 /// All contacts in the order of their keys, pairs before walls; and the order in which sweeps visit them: colour by
@@ -46,41 +63,50 @@ struct HardContacts {
   Team team{1};                             // shares the contacts of a colour
   std::vector<HardBody> bodies;             // of all particles
   std::vector<HardContact> all;             // by key
+  std::vector<HardPoint> points;            // of every contact, with room for as many as a contact may have
   std::vector<std::uint32_t> order;         // by colour, then by key
   std::vector<std::uint32_t> colour_first;  // places in `order`, and the end
   bool leftover = false;                    // the last colour holds what no other one took: to be visited in its order
+  int room = 1;                             // for points of a contact: one among spheres
+
+  std::span<HardPoint> points_of(const HardContact& c) {
+    return {&points[static_cast<std::size_t>(room * (&c - all.data()))], static_cast<std::size_t>(c.points)};
+  }
+  std::span<const HardPoint> points_of(const HardContact& c) const {
+    return {&points[static_cast<std::size_t>(room * (&c - all.data()))], static_cast<std::size_t>(c.points)};
+  }
 };
 
 /// Finds all pairs and walls that touch at the present places, and remembers that in the contacts of the system.
 void find_hard_contacts(ParticleSystem& system, ContactLists& lists, HardContacts& out);
 
-/// Velocity of A at the contact point, seen from B [m/s].
-inline sc_vec contact_velocity(const std::vector<HardBody>& bodies, const HardContact& c) {
+/// Velocity of A at a point of the contact, seen from B [m/s].
+inline sc_vec contact_velocity(const std::vector<HardBody>& bodies, const HardContact& c, const HardPoint& p) {
   const HardBody& a = bodies[c.a];
-  const sc_vec at_a = sc_add(a.velocity, sc_cross(a.spin, c.arm_a));
-  if (c.at_wall()) return sc_sub(at_a, c.surface);
+  const sc_vec at_a = sc_add(a.velocity, sc_cross(a.spin, p.arm_a));
+  if (c.at_wall()) return sc_sub(at_a, p.surface);
   const HardBody& b = bodies[c.b];
-  return sc_sub(at_a, sc_add(b.velocity, sc_cross(b.spin, c.arm_b)));
+  return sc_sub(at_a, sc_add(b.velocity, sc_cross(b.spin, p.arm_b)));
 }
 
 /// K of both bodies.
-inline sc_mat contact_response(const HardContacts& h, const HardContact& c) {
+inline sc_mat contact_response(const HardContacts& h, const HardContact& c, const HardPoint& p) {
   const HardBody& a = h.bodies[c.a];
-  const sc_mat mine = sc_response(a.inverse_mass, a.inverse_inertia, c.arm_a);
+  const sc_mat mine = sc_response(a.inverse_mass, a.inverse_inertia, p.arm_a);
   if (c.at_wall()) return mine;
   const HardBody& b = h.bodies[c.b];
-  return sc_add_mat(mine, sc_response(b.inverse_mass, b.inverse_inertia, c.arm_b));
+  return sc_add_mat(mine, sc_response(b.inverse_mass, b.inverse_inertia, p.arm_b));
 }
 
 /// Gives A an impulse and B its opposite. Bodies that nothing moves are not touched: another thread may read them.
-inline void give(HardContacts& h, const HardContact& c, sc_vec impulse) {
-  const auto hit = [](HardBody& body, sc_vec arm, sc_vec p) {
+inline void give(HardContacts& h, const HardContact& c, const HardPoint& p, sc_vec impulse) {
+  const auto hit = [](HardBody& body, sc_vec arm, sc_vec gift) {
     if (body.inverse_mass == 0) return;
-    body.velocity = sc_add_scaled(body.velocity, body.inverse_mass, p);
-    body.spin = sc_add(body.spin, sc_turn(body.inverse_inertia, sc_cross(arm, p)));
+    body.velocity = sc_add_scaled(body.velocity, body.inverse_mass, gift);
+    body.spin = sc_add(body.spin, sc_turn(body.inverse_inertia, sc_cross(arm, gift)));
   };
-  hit(h.bodies[c.a], c.arm_a, impulse);
-  if (!c.at_wall()) hit(h.bodies[c.b], c.arm_b, sc_scale(-1, impulse));
+  hit(h.bodies[c.a], p.arm_a, impulse);
+  if (!c.at_wall()) hit(h.bodies[c.b], p.arm_b, sc_scale(-1, impulse));
 }
 
 }  // namespace scree

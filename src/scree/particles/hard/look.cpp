@@ -2,6 +2,7 @@
 
 #include "scree/compute/launch.h"
 #include "scree/particles/contact_state.h"
+#include "scree/particles/hard/feet.h"
 #include "scree/particles/rows.h"
 #include "scree/particles/shapes.h"
 #include "scree/physics/touch/shape_contact.h"
@@ -12,52 +13,82 @@ namespace {
 /// Contacts of a system of spheres that are worth a thread's while.
 constexpr std::size_t worth_threads = 1024;
 
-void look_at_spheres(const ParticleSystem& s, HardContact& c) {
+void look_at_spheres(const ParticleSystem& s, HardContact& c, HardPoint& p) {
   const sc_sphere_touch t = touch_of_pair(s, c.memory);
   const double to_a = s.contacts.pairs.owner[c.memory] == c.a ? -1 : 1;
   c.push = sc_scale(to_a, t.touch.normal);
-  c.arm_a = sc_scale(-t.lever * s.particles.motion.row(c.a)[lane::radius], c.push);
-  c.arm_b = sc_scale(t.lever * s.particles.motion.row(c.b)[lane::radius], c.push);
+  p.arm_a = sc_scale(-t.lever * s.particles.motion.row(c.a)[lane::radius], c.push);
+  p.arm_b = sc_scale(t.lever * s.particles.motion.row(c.b)[lane::radius], c.push);
   c.overlap = t.touch.overlap;
 }
 
-void look_at_shapes(const ParticleSystem& s, HardContact& c) {
+void look_at_shapes(const ParticleSystem& s, HardContact& c, HardPoint& p) {
   const sc_shape_touch t = sc_shape_touch_from(touch_of_shapes(s, c.memory), s.contacts.pairs.owner[c.memory] == c.a);
   c.push = sc_scale(-1, t.normal);
-  c.arm_a = t.arm;
-  c.arm_b = t.arm_second;
+  p.arm_a = t.arm;
+  p.arm_b = t.arm_second;
   c.overlap = t.overlap;
 }
 
-void look_at_wall(const ParticleSystem& s, HardContact& c) {
+void look_at_wall(const ParticleSystem& s, HardContact& c, HardPoint& p) {
   const double* m = s.particles.motion.row(c.a);
   const sc_wall_pose& pose = s.walls.pose_of(c.face);
   sc_vec normal;
   if (is_sphere(s.particles, c.a)) {
     const sc_wall_gap gap = sc_gap_to_wall(s.walls.faces[c.face], pose, vec_of(m));
     normal = gap.normal;
-    c.arm_a = sc_scale(gap.distance, gap.normal);
+    p.arm_a = sc_scale(gap.distance, gap.normal);
     c.overlap = m[lane::radius] - gap.distance;
   } else {
     const sc_body_gap gap = gap_of_shape(s, c.a, c.memory);
     normal = gap.normal;
-    c.arm_a = gap.arm;
+    p.arm_a = gap.arm;
     c.overlap = gap.overlap;
   }
   c.push = sc_scale(-1, normal);
-  c.surface = sc_zero_vec();
-  if (!pose.moves) return;
-  const sc_vec arm = sc_sub(sc_add(vec_of(m), c.arm_a), pose.place);
-  c.surface = sc_wall_speed(pose, pose.velocity_now, pose.spin_now, arm, normal);
 }
 
-void look_at(const ParticleSystem& s, HardContact& c) {
+/// Velocity of the wall of a contact at a point [m/s].
+sc_vec surface_at(const ParticleSystem& s, const HardContact& c, sc_vec arm_a) {
+  const sc_wall_pose& pose = s.walls.pose_of(c.face);
+  if (!pose.moves) return sc_zero_vec();
+  const sc_vec arm = sc_sub(sc_add(vec_of(s.particles.motion.row(c.a)), arm_a), pose.place);
+  return sc_wall_speed(pose, pose.velocity_now, pose.spin_now, arm, sc_scale(-1, c.push));
+}
+
+/// Feet take their places behind the first point, which goes to their middle.
+void add_feet(const ParticleSystem& s, HardContact& c, HardPoint* points) {
+  const Feet feet = find_feet(s, c, points[0].arm_a, points[0].arm_b);
+  c.points = static_cast<std::int8_t>(1 + feet.count);
+  c.along = feet.along;
+  if (feet.count == 0) return;
+  const sc_vec branch = sc_sub(points[0].arm_a, points[0].arm_b);
+  sc_vec middle = sc_zero_vec();
+  for (int k = 0; k < feet.count; ++k) {
+    points[1 + k] = {};
+    points[1 + k].arm_a = feet.foot[k].arm;
+    points[1 + k].arm_b = sc_sub(feet.foot[k].arm, branch);
+    points[1 + k].overlap = feet.foot[k].overlap;
+    middle = sc_add_scaled(middle, 1.0 / feet.count, feet.foot[k].arm);
+  }
+  points[0].arm_a = middle;
+  points[0].arm_b = sc_sub(middle, branch);
+}
+
+void look_at(const ParticleSystem& s, HardContacts& h, std::size_t k) {
+  HardContact& c = h.all[k];
+  HardPoint* points = &h.points[static_cast<std::size_t>(h.room) * k];
+  points[0] = {};
   if (c.at_wall())
-    look_at_wall(s, c);
+    look_at_wall(s, c, points[0]);
   else if (is_sphere(s.particles, c.a) && is_sphere(s.particles, c.b))
-    look_at_spheres(s, c);
+    look_at_spheres(s, c, points[0]);
   else
-    look_at_shapes(s, c);
+    look_at_shapes(s, c, points[0]);
+  points[0].overlap = c.overlap;
+  if (h.room > 1) add_feet(s, c, points);
+  if (c.at_wall())
+    for (HardPoint& p : h.points_of(c)) p.surface = surface_at(s, c, p.arm_a);
 }
 
 }  // namespace
@@ -66,7 +97,7 @@ void look_again(const ParticleSystem& s, HardContacts& h) {
   const int hands = h.team.hands(s.particles.shaped() ? h.all.size() : h.all.size() / worth_threads);
   const std::int64_t count = static_cast<std::int64_t>(h.all.size());
 #pragma omp parallel for schedule(static) num_threads(hands) if (hands > 1)
-  for (std::int64_t k = 0; k < count; ++k) look_at(s, h.all[k]);
+  for (std::int64_t k = 0; k < count; ++k) look_at(s, h, static_cast<std::size_t>(k));
 }
 
 }  // namespace scree

@@ -54,14 +54,6 @@ void load_bodies(const Particles& p, std::vector<HardBody>& bodies) {
   });
 }
 
-void turn_shapes(Particles& p, const HardContacts& h, sc_vec HardContact::*impulse) {
-  if (!p.shaped()) return;
-  for (const HardContact& c : h.all) {
-    if (h.bodies[c.a].inverse_mass > 0) add(p.angular_momentum.row(c.a), sc_cross(c.arm_a, c.*impulse));
-    if (!c.at_wall() && h.bodies[c.b].inverse_mass > 0) add(p.angular_momentum.row(c.b), sc_cross(c.*impulse, c.arm_b));
-  }
-}
-
 void drift(Particles& p, std::vector<HardBody>& bodies, double time) {
   launch(p.size(), [&](std::size_t i) {
     const sc_vec shift = sc_scale(time, bodies[i].velocity);

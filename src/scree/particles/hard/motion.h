@@ -13,9 +13,6 @@ struct HardPush {
 /// The bodies as they are.
 void load_bodies(const Particles& particles, std::vector<HardBody>& bodies);
 
-/// What impulses at the contacts, HardContact::struck or ::held, give to the angular momenta of shapes.
-void turn_shapes(Particles& particles, const HardContacts& contacts, sc_vec HardContact::*impulse);
-
 /// Carries every body for `time` [s] with its velocity, and lets shapes rotate freely, whose spin and inertia in the
 /// world then are those of the new orientations. Does not put anybody back into the box.
 void drift(Particles& particles, std::vector<HardBody>& bodies, double time);

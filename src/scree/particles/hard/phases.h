@@ -16,8 +16,9 @@ void collide(HardContacts& contacts, const HardSettings& settings, double gravit
 /// What bodies that stay in contact need so that they do not approach after the forces of this step: projected
 /// Gauss-Seidel without restitution, from the impulses of the step before. `before` has the velocities of the bodies
 /// before the forces. What
-/// approached by more than the threshold then is left to the collisions of the next step.
+/// approached by more than the threshold then is left to the collisions of the next step. Feet that are less deep than
+/// others may go as far in `time`, that of the step.
 void hold(HardContacts& contacts, const std::vector<HardBody>& before, const HardSettings& settings,
-          double gravity_speed);
+          double gravity_speed, double time);
 
 }  // namespace scree

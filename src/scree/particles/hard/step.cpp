@@ -59,8 +59,7 @@ void collide_and_drift(ParticleSystem& s, ContactLists& lists, const HardSetting
   step.relocated = relocate(s, h, settings, move.gravity);
   collide(h, settings, move.kick * sc_norm(move.gravity));
   count_impacts(h, step.findings);
-  book_contacts(s.particles, h, &HardContact::struck);
-  turn_shapes(s.particles, h, &HardContact::struck);
+  book_contacts(s.particles, h, &HardPoint::struck, &HardContact::struck);
   drift(s.particles, h.bodies, 0.5 * move.drift);
   step.before = h.bodies;
 }
@@ -71,9 +70,8 @@ void push_and_hold(ParticleSystem& s, ContactLists& lists, const HardSettings& s
   push(s.particles, h.bodies, move, field, step.given);
   if (!settings.sequential) {
     look_again(s, h);
-    hold(h, step.before, settings, move.kick * sc_norm(move.gravity));
-    book_contacts(s.particles, h, &HardContact::held);
-    turn_shapes(s.particles, h, &HardContact::held);
+    hold(h, step.before, settings, move.kick * sc_norm(move.gravity), move.drift);
+    book_contacts(s.particles, h, &HardPoint::held, &HardContact::held);
   }
   const SweepView view = view_of(s, lists, move, {}, field);
   book_push(s.particles, step.before, h.bodies, move, view.book_gravity, step.given);
