@@ -113,7 +113,10 @@ inline Touching any_touching(const Body& a, const Body& b, std::mt19937_64& r) {
   const int way = static_cast<int>(4 * uniform_draw(r));
   sc_mat turn_b = any_turn(r);
   const double tilt = std::pow(10, -1 - 7 * uniform_draw(r));
-  if (way == 3) turn_b = turn_of(1, tilt * normal_draw(r), tilt * normal_draw(r), tilt * normal_draw(r));
+  if (way == 3) {
+    const double x = normal_draw(r), y = normal_draw(r), z = normal_draw(r);
+    turn_b = turn_of(1, tilt * x, tilt * y, tilt * z);
+  }
   Vec n = any_direction(r);
   if (way == 1 || way == 3) n = a.normal_along(n);
   if (way == 2) n = turn(turn_b, b.normal_along(n));

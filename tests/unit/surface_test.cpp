@@ -67,6 +67,17 @@ TEST(Surface, OfAnInclinedBedWithinADegree) {
     }
 }
 
+/// A slice of a bed is one column wide; a width whose half is no short binary number leaves rounding in its place.
+TEST(Surface, OfASliceFollowsItsOneRowOfColumns) {
+  const Particles p = particles_of(heap([](double, double y) { return 2 - 0.5 * (y - 2); }));
+  for (const double width : {0.3, 0.7, 1.1, 1.7})
+    for (const int columns : {7, 11, 15}) {
+      const Surface found = find_surface(probe({0.1, 0.4, 0}, {0.1 + width, 3.6, 4}, {1, columns, 20}), p);
+      EXPECT_NEAR(found.angle, std::atan(0.5) / degree, 1) << width << ' ' << columns;
+      EXPECT_NEAR(found.direction, 90, 1e-6);
+    }
+}
+
 TEST(Surface, OfTheFlankOfACone) {
   const Particles p = particles_of(heap([](double x, double y) { return 2 - 0.5 * std::hypot(x - 2, y - 2); }));
   const Surface found = find_surface(probe({2.4, 1.8, 0}, {3.8, 2.2, 3}, {7, 2, 15}), p);

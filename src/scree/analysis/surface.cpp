@@ -86,14 +86,14 @@ Surface plane_through(const std::vector<std::array<double, 3>>& points) {
   }
   out.level = points.empty() ? nan : mean[2];
   double slope_u, slope_v;
-  const double determinant = uu * vv - uv * uv;
-  if (determinant > 1e-12 * uu * vv) {
+  const double determinant = uu * vv - uv * uv, spread = uu + vv;
+  if (determinant > 1e-12 * spread * spread) {
     slope_u = (uh * vv - vh * uv) / determinant;
     slope_v = (vh * uu - uh * uv) / determinant;
   } else {
     // All columns in one line: the slope along it. A single one has none.
-    slope_u = uh / (uu + vv);
-    slope_v = vh / (uu + vv);
+    slope_u = uh / spread;
+    slope_v = vh / spread;
   }
   const double degree = 180 / std::numbers::pi;
   out.angle = degree * std::atan(std::hypot(slope_u, slope_v));
