@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "scree/base/version.h"
 #include "scree/input/load.h"
@@ -24,13 +25,22 @@ std::vector<fs::path> shipped_cases() {
   return found;
 }
 
+std::size_t groups_in(const fs::path& path) {
+  std::ifstream file(path);
+  std::size_t count = 0;
+  for (std::string line; std::getline(file, line);) count += line == "[[particles]]";
+  return count;
+}
+
 /// Tables and meshes of the benchmark scenes are made on demand; any table and any mesh will do here.
 std::vector<std::string> changes_for(const fs::path& path) {
   const std::string name = path.stem().string();
   if (path.parent_path() != source / "bench" || name == "linear") return {};
   const std::string mesh = (source / "verify/29_mesh_box/box.obj").string();
   std::vector<std::string> changes;
-  if (!name.starts_with("make_")) changes.push_back("particles.0.file=\"" + path.string() + "\"");
+  if (!name.starts_with("make_"))
+    for (std::size_t k = 0; k < groups_in(path); ++k)
+      changes.push_back("particles." + std::to_string(k) + ".file=\"" + path.string() + "\"");
   if (name.ends_with("drum") || name.ends_with("silo")) changes.push_back("walls.0.file=\"" + mesh + "\"");
   return changes;
 }
