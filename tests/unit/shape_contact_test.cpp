@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "engine_cases.h"
 #include "scree/analysis/measure.h"
@@ -216,7 +217,7 @@ TEST(ShapeContact, RoundSuperellipsoidsCollideAsSpheres) {
 }
 
 /// A dense periodic gas of shapes that rush about.
-std::string crowd_of_shapes(int count) {
+std::string crowd_of_shapes(int count, const LawChoice& laws = rough) {
   const auto group = [&](const std::string& name, const Shape& shape, double scale) {
     return "[[particles]]\nname = \"" + name + "\"\nmaterial = \"glass\"\n" + shape.keys +
            "insert = \"random\"\norientation = \"random\"\ncount = " + std::to_string(count) +
@@ -224,7 +225,7 @@ std::string crowd_of_shapes(int count) {
            "diameter = { distribution = \"uniform\", min = " + text_of(scale) + ", max = " + text_of(1.5 * scale) +
            " }\n";
   };
-  return room_text(rough, 5e-5, 1e6, 0.6) +
+  return room_text(laws, 5e-5, 1e6, 0.6) +
          "[[particles]]\nname = \"balls\"\nmaterial = \"glass\"\ninsert = \"random\"\ncount = " +
          std::to_string(count) + "\nvelocity = { type = \"random\", deviation = 2 }\ndiameter = 0.2\n" +
          group("ellipsoids", ellipsoid, 0.2) + group("cubes", cube, 0.15) + group("cylinders", cylinder, 0.2);
@@ -268,6 +269,34 @@ TEST(ShapeContact, InstructionSetsChangeNoBit) {
     test::advance(s, 150);
     if (first.empty()) first = s.state_hash();
     EXPECT_EQ(s.state_hash(), first) << name;
+  }
+}
+
+/// All that moves of a system, in the order of storage.
+std::vector<double> places_and_speeds(const Simulation& s) {
+  const Particles& p = s.system().particles;
+  std::vector<double> out(p.motion.values.begin(), p.motion.values.end());
+  out.insert(out.end(), p.orientation.values.begin(), p.orientation.values.end());
+  out.insert(out.end(), p.angular_momentum.values.begin(), p.angular_momentum.values.end());
+  return out;
+}
+
+// Contacts that go on act eight side by side, but under a law of rolling one at a time; this one never holds anything.
+TEST(ShapeContact, SideBySideChangesNoBit) {
+  const LawChoice linear_rough{"linear", "normal = \"linear\"\ntangential = \"history\"\n", "friction = 0.4\n", false};
+  const LawChoice hertz_rough{"hertz", "normal = \"hertz\"\ntangential = \"mindlin\"\n", "friction = 0.4\n", true};
+  for (LawChoice laws : {linear_rough, hertz_rough}) {
+    const test::Overrides periodic{"domain.periodic=[true,true,true]"};
+    Simulation lanes(case_of(crowd_of_shapes(30, laws), periodic), one_thread());
+    laws.contact += "rolling = \"spring\"\n";
+    Simulation alone(case_of(crowd_of_shapes(30, laws), periodic), one_thread());
+    for (int k = 0; k < 4; ++k) {
+      test::advance(lanes, 100);
+      test::advance(alone, 100);
+      ASSERT_EQ(places_and_speeds(lanes), places_and_speeds(alone)) << laws.name;
+    }
+    EXPECT_GT(lanes.tally().contacts, 2000) << laws.name;
+    EXPECT_EQ(lanes.tally().contacts, alone.tally().contacts) << laws.name;
   }
 }
 

@@ -6,6 +6,13 @@
 
 namespace scree {
 
+namespace {
+
+/// Whether a pair is known to be apart for some way to come. Lists from a file do not know.
+bool knows_apart(const PairContacts& k, std::size_t c) { return c < k.apart.size() && k.apart[c] > 0; }
+
+}  // namespace
+
 PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::vector<std::int32_t>& place) {
   PairContacts out;
   out.pairs = std::move(fresh);
@@ -16,9 +23,10 @@ PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::ve
   out.slide.resize(4 * padded);
   if (out.remembers_rolling) out.roll.resize(4 * padded);
   if (out.remembers_shapes) out.shape.resize(pair_memory * padded);
+  if (out.remembers_shapes) out.apart.resize(padded);
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < old.pairs.count; ++c) {
-    if (!old.active[c]) continue;
+    if (!old.active[c] && !knows_apart(old, c)) continue;
     const std::int32_t a = place[old.pairs.owner[c]], b = place[old.pairs.partner[c]];
     if (a < 0 || b < 0) continue;
     const double sign = a < b ? 1.0 : -1.0;
@@ -31,6 +39,7 @@ PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::ve
     out.active[to] = old.active[c];
     for (int k = 0; k < 3; ++k) out.slide[4 * to + k] = sign * old.slide[4 * c + k];
     out.slide[4 * to + 3] = old.slide[4 * c + 3];
+    if (knows_apart(old, c)) out.apart[to] = old.apart[c];
     if (out.remembers_shapes) std::copy_n(&old.shape[pair_memory * c], pair_memory, &out.shape[pair_memory * to]);
     if (!out.remembers_rolling) continue;
     for (int k = 0; k < 3; ++k) out.roll[4 * to + k] = sign * old.roll[4 * c + k];
@@ -40,6 +49,9 @@ PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::ve
 }
 
 namespace {
+
+// Among shapes few candidates touch, and eight of a kind are evaluated at a time.
+constexpr std::int32_t shape_tile_size = 1024;
 
 /// For each particle the pairs it takes part in, ordered by the partner's id.
 struct Incidence {
@@ -72,7 +84,9 @@ Incidence incidence_by_id(const Candidates& pairs, const Particles& particles) {
   return out;
 }
 
-void cut_into_ranges(const Candidates& pairs, const WallContacts& walls, int threads, SweepPlan& plan) {
+/// `tile_room`: largest number of candidates in a tile, unless one particle alone owns more.
+void cut_into_ranges(const Candidates& pairs, const WallContacts& walls, int threads, std::int32_t tile_room,
+                     SweepPlan& plan) {
   const std::int32_t n = static_cast<std::int32_t>(plan.deferred.size());
   // A particle costs about as much to move as three candidates cost to look at, its face of a wall as ten.
   const auto cost = [&](std::int32_t p) { return 3.0 * p + pairs.first[p] + 10.0 * walls.first[p]; };
@@ -85,7 +99,7 @@ void cut_into_ranges(const Candidates& pairs, const WallContacts& walls, int thr
     while (p < n && (t == threads - 1 || cost(p) < share)) {
       range.tiles.push_back(p);
       const std::int32_t tile = p++;
-      while (p < n && pairs.first[p + 1] - pairs.first[tile] <= tile_size && p - tile < tile_size) ++p;
+      while (p < n && pairs.first[p + 1] - pairs.first[tile] <= tile_room && p - tile < tile_room) ++p;
     }
     range.tiles.push_back(p);
     range.end = p;
@@ -145,13 +159,29 @@ void fill_gather(const Candidates& pairs, const Incidence& incidence, SweepPlan&
   });
 }
 
+/// Places the marks of the gather entries, those of no two particles in the same word: threads read whole words.
+void place_marks(const Candidates& pairs, const Incidence& incidence, SweepPlan& plan) {
+  const std::size_t n = incidence.first.size() - 1;
+  plan.mark_first.resize(n + 1);
+  for (std::size_t p = 0; p < n; ++p)
+    plan.mark_first[p + 1] = plan.mark_first[p] + (incidence.first[p + 1] - incidence.first[p] + 7) / 8 * 8;
+  plan.mark.resize(2 * pairs.count);
+  launch(n, [&](std::size_t p) {
+    for (std::int32_t k = incidence.first[p]; k < incidence.first[p + 1]; ++k) {
+      const std::size_t c = incidence.pair[k];
+      const bool is_partner = pairs.partner[c] == static_cast<std::int32_t>(p);
+      plan.mark[2 * c + is_partner] = plan.mark_first[p] + (k - incidence.first[p]);
+    }
+  });
+}
+
 }  // namespace
 
 SweepPlan plan_sweep(const Candidates& pairs, const WallContacts& walls, const Particles& particles, int threads) {
   SweepPlan plan;
   plan.deferred.resize(particles.size());
   plan.slot.resize(pairs.count + candidate_padding);
-  cut_into_ranges(pairs, walls, threads, plan);
+  cut_into_ranges(pairs, walls, threads, particles.shaped() ? shape_tile_size : tile_size, plan);
   defer_shared(pairs, plan);
   const Incidence incidence = incidence_by_id(pairs, particles);
   std::vector<std::int32_t> base(threads + 1, 0);
@@ -164,7 +194,12 @@ SweepPlan plan_sweep(const Candidates& pairs, const WallContacts& walls, const P
     for (std::int32_t c = pairs.first[plan.ranges[t].begin]; c < pairs.first[plan.ranges[t].end]; ++c)
       plan.slot[c] += base[t];
   fill_gather(pairs, incidence, plan);
+  if (particles.shaped()) place_marks(pairs, incidence, plan);
   return plan;
+}
+
+Buffer<std::uint8_t> no_marks(const SweepPlan& plan) {
+  return Buffer<std::uint8_t>(static_cast<std::size_t>(plan.mark_first[plan.mark_first.size() - 1]));
 }
 
 void give_own_slots(const Candidates& pairs, const Particles& particles, SweepPlan& plan) {

@@ -21,9 +21,9 @@ struct PairContacts {
   Buffer<double> slide;         // [pairs][4]: stretch of the tangential spring x y z, approach velocity
   Buffer<double> roll;  // [pairs][4]: stretch of the rolling spring x y z, of the twisting spring; empty if unused
   // [pairs][pair_memory], empty in a system of spheres: what sc_shape_memory holds (point x y z and share, distance at
-  // first touch, radius; the point in the frame of the body that the solver starts from), and the way of both surfaces
-  // up to which the pair is known to be apart, which changes no bits.
+  // first touch, radius; the point in the frame of the body that the solver starts from).
   Buffer<double> shape;
+  Buffer<double> apart;  // [pairs], likewise: way of both surfaces up to which they are apart; it changes no bits
   bool remembers_rolling = false, remembers_shapes = false;
 };
 
@@ -53,17 +53,24 @@ struct SweepPlan {
   Buffer<std::int32_t> gather_first;  // [particles + 1]
   Buffer<std::uint32_t> gather;       // gather_entry
   Buffer<std::uint8_t> deferred;      // [particles]
-  std::int32_t slots = 0;             // in all
+  // Shapes only: the place of each gather entry's mark, ShapeView::full; those of a particle begin at a multiple of 8.
+  Buffer<std::int32_t> mark_first;  // [particles + 1]
+  Buffer<std::int32_t> mark;        // [pairs][2]: owner's, partner's
+  std::int32_t slots = 0;           // in all
 };
 
 /// Memory of one candidate pair: who takes part, what it remembers, its slot and its two gather entries [bytes].
 inline constexpr std::size_t bytes_per_pair(bool remembers_rolling, bool remembers_shapes) {
   return 2 * sizeof(std::int32_t) + sizeof(std::uint8_t) + (remembers_rolling ? 8 : 4) * sizeof(double) +
-         (remembers_shapes ? pair_memory * sizeof(double) : 0) + sizeof(std::int32_t) + 2 * sizeof(std::uint32_t);
+         (remembers_shapes ? (pair_memory + 1) * sizeof(double) + 2 * sizeof(std::int32_t) + 3 : 0) +
+         sizeof(std::int32_t) + 2 * sizeof(std::uint32_t);
 }
 
 /// Plans a sweep over `pairs` by `threads` threads, each with as much work at pairs and walls as the others.
 SweepPlan plan_sweep(const Candidates& pairs, const WallContacts& walls, const Particles& particles, int threads);
+
+/// The marks of a sweep in which no slot holds anything yet.
+Buffer<std::uint8_t> no_marks(const SweepPlan& plan);
 
 /// Gives every pair the slot of its own number, so that after a pass the slots hold what each pair did. The order in
 /// which particles sum them stays.

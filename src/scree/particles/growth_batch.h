@@ -80,6 +80,14 @@ template <int Kind>
   b.verdict[i] = s.verdict;
 }
 
+inline void set_exponents(GrowthBatch& b, int i, const sc_exponents& of_a, const sc_exponents& of_b) {
+  const sc_exponent* const e[4] = {&of_a.inner, &of_a.outer, &of_b.inner, &of_b.outer};
+  for (int k = 0; k < 4; ++k) {
+    b.exponent[k][i] = e[k]->value;
+    b.inverse[k][i] = e[k]->inverse;
+  }
+}
+
 /// Puts a pair into lane i, to be searched from `start`.
 inline void set_lane(GrowthBatch& b, int i, const sc_growth_pair& p, const sc_growth_point& start) {
   keep_vec(b.scale_a, i, p.scale_a);
@@ -90,11 +98,7 @@ inline void set_lane(GrowthBatch& b, int i, const sc_growth_pair& p, const sc_gr
   keep_vec(b.branch, i, p.branch);
   b.radius_b[i] = p.radius_b;
   b.rounding[i] = p.rounding;
-  const sc_exponent* const e[4] = {&p.gauge_a.inner, &p.gauge_a.outer, &p.gauge_b.inner, &p.gauge_b.outer};
-  for (int k = 0; k < 4; ++k) {
-    b.exponent[k][i] = e[k]->value;
-    b.inverse[k][i] = e[k]->inverse;
-  }
+  set_exponents(b, i, p.gauge_a, p.gauge_b);
   keep_search(b, i, sc_growth_search_from(start));
 }
 

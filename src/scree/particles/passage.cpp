@@ -80,13 +80,12 @@ std::vector<Parting> partings(const ParticleSystem& s, const std::vector<std::ui
 
 /// The same for bodies of any shape, of which a view of the moment is enough.
 void act_as_shapes(const SweepView& v, Parting& parting) {
-  double slot[shape_slot];
   const std::int64_t c = static_cast<std::int64_t>(parting.pair);
   const lane4 d = branch_of(v, v.motion + 8 * std::int64_t{v.owner[c]}, v.motion + 8 * std::int64_t{v.partner[c]});
   SweepFindings ignored;
-  contact_of_shapes(v, c, sc_make_vec(d[0], d[1], d[2]), slot, ignored);
-  parting.owner = share_of_slot(slot, false);
-  parting.partner = share_of_slot(slot, true);
+  contact_of_shapes(v, c, sc_make_vec(d[0], d[1], d[2]), ignored);
+  parting.owner = share_of_slot(slot_at(v, c), false);
+  parting.partner = share_of_slot(slot_at(v, c), true);
 }
 
 /// Evaluates the contact at the moment of the sample and leaves its memory there.

@@ -77,6 +77,9 @@ SweepFindings sweep_apart(const ContactLists& lists, SweepView view, Sample& out
   view.gather_first = plan.gather_first.data();
   view.gather = plan.gather.data();
   view.slots = slots.data();
+  Buffer<std::uint8_t> full;
+  if (out.system.particles.shaped()) full = no_marks(plan);
+  view.shapes.full = full.data();
   if (view.couples) view.couples = couples.data();
   const SweepFindings findings = sweep(lists.kernels, view, plan);
   out.pair_force.resize(4 * pairs.count);

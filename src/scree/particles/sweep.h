@@ -15,6 +15,7 @@ SweepKernels sweep_kernels(const sc_laws& laws, int materials, bool shaped = fal
 /// The slots of a pass.
 struct SweepSlots {
   Buffer<double> slots, couples;
+  Buffer<std::uint8_t> full;  // ShapeView::full; empty in a system of spheres
 };
 
 /// Runs the pass that `view` describes as `plan` says, with one thread per range.

@@ -31,11 +31,12 @@ struct ShapePair {
   std::int64_t i, j;
   bool owner_first;  // the owner has the lower id
   double* memory;    // PairContacts::shape
+  double* apart;     // PairContacts::apart
 };
 
 inline ShapePair shape_pair(const SweepView& v, std::int64_t c) {
   const std::int64_t i = v.owner[c], j = v.partner[c];
-  return {i, j, v.shapes.id[i] < v.shapes.id[j], v.shapes.memory + pair_memory * c};
+  return {i, j, v.shapes.id[i] < v.shapes.id[j], v.shapes.memory + pair_memory * c, v.shapes.apart + c};
 }
 
 /// The way that the surfaces of both have gone so far [m].
@@ -43,11 +44,23 @@ inline double way_of(const SweepView& v, const ShapePair& pair) {
   return v.shapes.angular_momentum[4 * pair.i + 3] + v.shapes.angular_momentum[4 * pair.j + 3];
 }
 
+/// How far apart their bounding spheres are [m], negative if they overlap. `reach`: the sum of their radii.
+inline double sphere_gap(const sc_vec& branch, double reach) { return (1 - 1e-12) * (sc_norm(branch) - reach); }
+
+/// Up to which way a pair stays apart that is so by `gap` [m] at the nearest image of the partner: no other image can
+/// be reached before either.
+inline double apart_until(const SweepView& v, const ShapePair& pair, const sc_vec& branch, double gap) {
+  const double reach = v.motion[8 * pair.i + 3] + v.motion[8 * pair.j + 3];
+  const double other = v.shortest_period - sc_norm(branch) - reach;
+  const double free = SC_MIN(gap, other) - v.margin;
+  return free > 0 ? (1 - 1e-12) * (way_of(v, pair) + free) : 0;
+}
+
 inline sc_shape_memory shape_memory(const double* m) { return {{vec_of(m), m[3]}, m[4], m[5]}; }
 
-inline void keep_shape_memory(double* to, const sc_shape_memory& m, double apart_until) {
+inline void keep_shape_memory(double* to, const sc_shape_memory& m) {
   store4(to, lane4{m.start.point.x, m.start.point.y, m.start.point.z, m.start.share});
-  store4(to + 4, lane4{m.reach, m.radius, apart_until, 0});
+  store4(to + 4, lane4{m.reach, m.radius, 0, 0});
 }
 
 /// A contact ready for the laws.
@@ -95,8 +108,10 @@ inline void fill_shape_slot(double* slot, const sc_contact_place& place, const s
   store4(slot + 8, lane4{on_b.x, on_b.y, on_b.z, action.loss_rolling});
 }
 
-inline void clear_slot(double* slot) {
-  for (int k = 0; k < shape_slot; k += 4) store4(slot + k, lane4{});
+/// Says whether the slot of a candidate holds anything. Partners do not read one that does not.
+inline void mark_slot(const SweepView& v, std::int64_t c, bool full) {
+  v.shapes.full[v.shapes.mark[2 * c]] = full;
+  v.shapes.full[v.shapes.mark[2 * c + 1]] = full;
 }
 
 /// A candidate with what its search needs.
@@ -104,7 +119,6 @@ struct ShapeSearch {
   std::int64_t c;
   ShapePair pair;
   bool acted;
-  double* slot;
   sc_vec branch;                // from the owner's centre to the partner's
   sc_body_shape first, second;  // that with the lower id is the first
   sc_growth_pair growth;
@@ -114,40 +128,49 @@ inline const sc_pair_law& law_of_materials(const SweepView& v, const ShapePair& 
   return v.law[v.material[pair.i] * v.materials + v.material[pair.j]];
 }
 
+inline double* slot_at(const SweepView& v, std::int64_t c) { return v.slots + shape_slot * std::int64_t{v.slot[c]}; }
+
 /// Evaluates the laws, fills the slot and keeps what the pair remembers.
 inline void act_as_meeting(const SweepView& v, std::int64_t c, const ShapePair& pair, const ShapeMeeting& m,
-                           double* slot, SweepFindings& findings) {
-  if (m.place.overlap + v.margin <= 0 && !v.active[c]) {
-    pair.memory[6] = m.apart_until;
+                           SweepFindings& findings) {
+  *pair.apart = 0;
+  const bool acts = m.place.overlap + v.margin > 0 || v.active[c];
+  mark_slot(v, c, acts);
+  if (!acts) {
+    *pair.apart = m.apart_until;
     return;
   }
   const sc_body_side a = side_at(v, pair.i), b = side_at(v, pair.j);
   const sc_touch touch = sc_touch_at(m.place, a, b, v.effect_excess[pair.i] + v.effect_excess[pair.j]);
   const sc_contact_result r = sc_contact_act(v.laws, m.law, touch, v.time, shape_state(v, c));
-  fill_shape_slot(slot, m.place, r.action);
+  fill_shape_slot(slot_at(v, c), m.place, r.action);
   const double smaller = SC_MIN(v.shapes.inertia[4 * pair.i + 3], v.shapes.inertia[4 * pair.j + 3]);
   findings.deepest = SC_MAX(findings.deepest, m.place.overlap / smaller);
-  keep_shape_memory(pair.memory, r.action.touching ? m.memory : sc_shape_memory{}, m.apart_until);
+  keep_shape_memory(pair.memory, r.action.touching ? m.memory : sc_shape_memory{});
   remember_shapes(v, c, r, sc_dot(touch.velocity, touch.normal), findings);
 }
 
-/// Clears the slot of candidate c and prepares its search. False if there is nothing to search for: bodies that are
-/// known to be apart, and spheres, whose contact is evaluated here.
-inline bool begin_contact(const SweepView& v, std::int64_t c, const sc_vec& branch, double* slot, ShapeSearch& out,
+/// Prepares the search of candidate c. False if there is nothing to search for: bodies whose bounding spheres are
+/// apart, and spheres, whose contact is evaluated here.
+inline bool begin_contact(const SweepView& v, std::int64_t c, const sc_vec& branch, ShapeSearch& out,
                           SweepFindings& findings) {
-  clear_slot(slot);
   const ShapePair pair = shape_pair(v, c);
   const bool acted = v.active[c] != 0;
-  if (!acted && way_of(v, pair) < pair.memory[6]) return false;
+  const double radius_i = v.motion[8 * pair.i + 3], radius_j = v.motion[8 * pair.j + 3];
+  const double gap = sphere_gap(branch, radius_i + radius_j);
+  if (gap > v.margin && !acted) {
+    mark_slot(v, c, false);
+    *pair.apart = apart_until(v, pair, branch, gap);
+    return false;
+  }
   if (is_sphere(v, pair.i) && is_sphere(v, pair.j)) {
-    const sc_contact_place place = sc_place_of_spheres(branch, v.motion[8 * pair.i + 3], v.motion[8 * pair.j + 3]);
-    act_as_meeting(v, c, pair, {place, law_of_materials(v, pair), {}, 0}, slot, findings);
+    const sc_contact_place place = sc_place_of_spheres(branch, radius_i, radius_j);
+    act_as_meeting(v, c, pair, {place, law_of_materials(v, pair), {}, 0}, findings);
     return false;
   }
   out.c = c;
   out.pair = pair;
   out.acted = acted;
-  out.slot = slot;
   out.branch = branch;
   out.first = shape_at(v, pair.owner_first ? pair.i : pair.j);
   out.second = shape_at(v, pair.owner_first ? pair.j : pair.i);
@@ -169,7 +192,7 @@ inline ShapeMeeting meeting_of(const SweepView& v, const ShapeSearch& s, const s
   m.apart_until = 0;
   if (found.verdict != SC_GROWTH_TOUCHING) {
     const double gap = sc_shapes_gap(s.first, s.second, branch, found.normal);
-    if (gap > 0) m.apart_until = (1 - 1e-12) * (way_of(v, s.pair) + gap);
+    m.apart_until = apart_until(v, s.pair, branch, gap);
   } else if (!s.acted) {
     const double* inertia = v.shapes.inertia;
     memory = sc_shapes_meet(s.first, s.second, found, inertia[4 * s.pair.i + 3], inertia[4 * s.pair.j + 3]);
@@ -183,19 +206,17 @@ inline ShapeMeeting meeting_of(const SweepView& v, const ShapeSearch& s, const s
 
 [[gnu::noinline]] void finish_contact(const SweepView& v, const ShapeSearch& s, const sc_growth_touch& ended,
                                       SweepFindings& findings) {
-  act_as_meeting(v, s.c, s.pair, meeting_of(v, s, ended), s.slot, findings);
+  act_as_meeting(v, s.c, s.pair, meeting_of(v, s, ended), findings);
 }
 
 /// Evaluates candidate c alone and fills its slot.
 [[gnu::noinline, maybe_unused]] void contact_of_shapes(const SweepView& v, std::int64_t c, const sc_vec& branch,
-                                                       double* slot, SweepFindings& findings) {
+                                                       SweepFindings& findings) {
   ShapeSearch s;
-  if (!begin_contact(v, c, branch, slot, s, findings)) return;
+  if (!begin_contact(v, c, branch, s, findings)) return;
   const sc_growth_point start = s.acted ? start_of(s) : sc_growth_point{};
   finish_contact(v, s, sc_growth_solve(s.growth, s.acted, start), findings);
 }
-
-inline double* slot_at(const SweepView& v, std::int64_t c) { return v.slots + shape_slot * std::int64_t{v.slot[c]}; }
 
 /// What a slot gives to the owner or the partner: force, torque in place of the turn, losses in the fourth lanes. The
 /// partner feels the opposite force and its own torque; the two share the losses.
@@ -209,14 +230,17 @@ inline double* slot_at(const SweepView& v, std::int64_t c) { return v.slots + sh
 /// What particle p of any shape has gathered of its partners, in the order of their ids.
 [[gnu::always_inline]] inline Gathered gather_shape(const SweepView& v, std::int64_t p) {
   Gathered g{};
-  const std::uint32_t* entry = v.gather + v.gather_first[p];
-  const std::uint32_t* const end = v.gather + v.gather_first[p + 1];
-  for (; entry != end; ++entry) {
-    const Gathered one = share_of_slot(v.slots + shape_slot * std::int64_t{*entry >> 1}, *entry & 1);
-    g.force += one.force;
-    g.turn += one.turn;
-    g.couple += one.couple;
-  }
+  const std::uint32_t* const entries = v.gather + v.gather_first[p];
+  const std::uint8_t* const full = v.shapes.full + v.shapes.mark_first[p];
+  const int count = v.gather_first[p + 1] - v.gather_first[p];
+  for (int k = 0; k < count; k += 8)
+    for (unsigned bits = bits_of(full + k); bits; bits &= bits - 1) {
+      const std::uint32_t entry = entries[k + __builtin_ctz(bits)];
+      const Gathered one = share_of_slot(v.slots + shape_slot * std::int64_t{entry >> 1}, entry & 1);
+      g.force += one.force;
+      g.turn += one.turn;
+      g.couple += one.couple;
+    }
   return g;
 }
 

@@ -7,11 +7,10 @@ namespace scree {
 namespace {
 
 void advance_shapes(const SweepView& v, const std::int32_t* tiles, int count, SweepFindings& out) {
-  Batch batch;
   ShapeQueues queues;
   SweepFindings findings = out;
   for (int t = 0; t < count; ++t) {
-    contacts_of_shapes(v, v.first[tiles[t]], v.first[tiles[t + 1]], batch, queues, findings);
+    contacts_of_shapes(v, v.first[tiles[t]], v.first[tiles[t + 1]], queues, findings);
     for (std::int32_t p = tiles[t]; p < tiles[t + 1]; ++p)
       if (!v.deferred[p]) move_shape_under(v, p, gather_shape(v, p), findings);
   }

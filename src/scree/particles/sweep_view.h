@@ -22,7 +22,7 @@ constexpr std::uint8_t contact_code(bool acted, bool slid) {
 }
 
 /// Numbers that a contact of a shape with a particle or with a wall remembers besides, and the first of those that do
-/// not last.
+/// not last (of a pair those are free: its numbers fill a cache line).
 inline constexpr int pair_memory = 8, pair_scratch = 6;
 inline constexpr int wall_memory = 12, wall_scratch = 8;
 
@@ -49,7 +49,12 @@ struct ShapeView {
   double* orientation;       // [n][4]
   double* angular_momentum;  // [n][4]
   const double* inertia;     // [n][4]
-  double* memory;            // [pairs][8]: PairContacts::shape
+  double* memory;            // [pairs][pair_memory]: PairContacts::shape
+  double* apart;             // [pairs]: PairContacts::apart
+  // Which slots hold anything, for each gather entry of a particle, in blocks of eight: 0 or 1.
+  std::uint8_t* full;
+  const std::int32_t* mark_first;  // [n]: where those of a particle begin
+  const std::int32_t* mark;        // [pairs][2]: that of the owner's entry, and of the partner's
 };
 
 /// Numbers in a slot: of spheres, and of bodies of any shape, whose torques are not the same for both partners.
@@ -82,7 +87,7 @@ struct SweepView {
   const std::uint8_t* deferred;
   // Spheres: [slots][8]: force x y z on the owner, loss normal | lever * (normal x force) x y z, loss sliding.
   // Any shape: [slots][12]: force on the owner, loss normal | torque on the owner, loss sliding | torque on the
-  // partner, loss rolling; no couples.
+  // partner, loss rolling; no couples; where nothing acts the slot keeps what it held (ShapeView::full).
   double* slots;
   double* couples;  // [slots][4]: couple x y z on the owner, loss rolling; or null
   // laws
@@ -90,6 +95,7 @@ struct SweepView {
   const sc_pair_law* law;  // [materials][materials]
   int materials;
   sc_contact_time time;
+  double shortest_period;            // of the domain [m]; infinite if none is periodic
   double margin;                     // how far apart bodies may be and still act on each other [m]
   double period[4], half_period[4];  // a fourth, neutral entry fills the vector
   // motion

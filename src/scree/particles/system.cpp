@@ -100,6 +100,7 @@ void make_lists(ParticleSystem& s, ContactLists& lists, const Team& team, const 
   s.wall_contacts = std::move(walls);
   lists.plan = plan_sweep(s.contacts.pairs, s.wall_contacts, p, team.hands(n));
   lists.slots.slots.resize(slot_size(s) * std::size_t(lists.plan.slots));
+  lists.slots.full = p.shaped() ? no_marks(lists.plan) : Buffer<std::uint8_t>();
   if (s.contacts.remembers_rolling && !p.shaped()) lists.slots.couples.resize(4 * std::size_t(lists.plan.slots));
   lists.listed_at.resize(3 * n);
   for (std::size_t i = 0; i < n; ++i) std::copy_n(p.motion.row(i), 3, &lists.listed_at[3 * i]);
@@ -204,7 +205,11 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
                 p.orientation.values.data(),
                 p.angular_momentum.values.data(),
                 p.inertia.values.data(),
-                s.contacts.shape.data()};
+                s.contacts.shape.data(),
+                s.contacts.apart.data(),
+                lists.slots.full.data(),
+                lists.plan.mark_first.data(),
+                lists.plan.mark.data()};
   v.first = s.contacts.pairs.first.data();
   v.owner = s.contacts.pairs.owner.data();
   v.partner = s.contacts.pairs.partner.data();
@@ -240,6 +245,7 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
     v.high[k] = s.domain.high(k);
   }
   v.half_period[3] = std::numeric_limits<double>::infinity();
+  v.shortest_period = 2 * std::min({v.half_period[0], v.half_period[1], v.half_period[2]});
   v.move = move;
   const sc_vec& g = move.gravity;
   v.field = field;

@@ -24,17 +24,6 @@ typedef struct {
   real radius;            // effective radius R* [m]
 } sc_shape_memory;
 
-/// How owner and partner meet, seen from the owner. The solver sees the body with the lower id first, so the result
-/// does not depend on who owns the pair.
-SC_FN sc_shape_touch sc_shape_touch_from(sc_shape_touch touch, int owner_first) {
-  sc_shape_touch out = touch;
-  if (owner_first) return out;
-  out.normal = sc_scale(R(-1), touch.normal);
-  out.arm = touch.arm_second;
-  out.arm_second = touch.arm;
-  return out;
-}
-
 /// What a pair that touches for the first time will remember. `by_volume_...`: radii by volume [m]. The radius counts
 /// the factor of elongated contacts.
 SC_FN sc_shape_memory sc_shapes_meet(sc_body_shape first, sc_body_shape second, sc_shape_touch touch, real by_volume_a,

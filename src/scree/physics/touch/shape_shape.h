@@ -37,23 +37,38 @@ SC_FN sc_growth_pair sc_pair_of_shapes(sc_body_shape first, sc_body_shape second
                              sc_turn_back(a.turn, d));
 }
 
-/// What the solver found, in the world.
-SC_FN sc_shape_touch sc_shape_touch_of(sc_body_shape first, sc_body_shape second, sc_vec branch,
-                                       sc_growth_touch found) {
-  const int reversed = sc_shapes_reversed(first, second);
-  const sc_mat turn = reversed ? second.turn : first.turn;
-  const sc_vec normal = sc_turn(turn, found.normal), point = sc_turn(turn, found.start.point);
+/// The same seen from the other body, unless `as_it_is`.
+SC_FN sc_shape_touch sc_shape_touch_from(sc_shape_touch touch, int as_it_is) {
+  sc_shape_touch out = touch;
+  if (as_it_is) return out;
+  out.normal = sc_scale(R(-1), touch.normal);
+  out.arm = touch.arm_second;
+  out.arm_second = touch.arm;
+  return out;
+}
+
+/// What the solver found, in the world, seen from its A: `turn` is A's, `branch` goes from A to B [m].
+SC_FN sc_shape_touch sc_touch_in_world(sc_mat turn, sc_vec branch, sc_growth_touch found) {
   sc_shape_touch out;
   out.verdict = found.verdict;
-  out.normal = reversed ? sc_scale(R(-1), normal) : normal;
-  out.arm = reversed ? sc_add(branch, point) : point;
-  out.arm_second = reversed ? point : sc_sub(point, branch);
+  out.normal = sc_turn(turn, found.normal);
+  out.arm = sc_turn(turn, found.start.point);
+  out.arm_second = sc_sub(out.arm, branch);
   out.support = found.support;
   out.overlap = (R(1) - found.growth) * found.support;
   out.low = found.low;
   out.high = found.high;
   out.start = found.start;
   return out;
+}
+
+/// What the solver found, in the world.
+SC_FN sc_shape_touch sc_shape_touch_of(sc_body_shape first, sc_body_shape second, sc_vec branch,
+                                       sc_growth_touch found) {
+  const int reversed = sc_shapes_reversed(first, second);
+  const sc_mat turn = reversed ? second.turn : first.turn;
+  const sc_vec d = reversed ? sc_scale(R(-1), branch) : branch;
+  return sc_shape_touch_from(sc_touch_in_world(turn, d, found), !reversed);
 }
 
 /// How two bodies meet; `warm` says that `start` is where the last solve ended.
