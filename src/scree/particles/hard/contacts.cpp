@@ -38,7 +38,7 @@ bool shapes_touch(ParticleSystem& s, std::size_t c) {
   const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
   const double way = p.angular_momentum.row(i)[lane::path] + p.angular_momentum.row(j)[lane::path];
   double* memory = &s.contacts.shape[pair_memory * c];
-  if (!s.contacts.active[c] && way < memory[pair_scratch]) return false;
+  if (!s.contacts.active[c] && way < s.contacts.apart[c]) return false;
   const sc_shape_touch found = touch_of_shapes(s, c);
   if (found.verdict == SC_GROWTH_TOUCHING) {
     const sc_vec point = found.start.point;
@@ -48,7 +48,7 @@ bool shapes_touch(ParticleSystem& s, std::size_t c) {
   const double gap =
       sc_shapes_gap(body_shape(p, i, s.forms), body_shape(p, j, s.forms), branch_of_pair(s, c), found.normal);
   store4(memory, lane4{});
-  memory[pair_scratch] = gap > 0 ? (1 - 1e-12) * (way + gap) : 0;
+  s.contacts.apart[c] = gap > 0 ? (1 - 1e-12) * (way + gap) : 0;
   return false;
 }
 
