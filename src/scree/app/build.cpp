@@ -88,6 +88,8 @@ ParticleSystem build_system(const Case& c, Fields& fields, Takeover takeover) {
                           c.hard.threshold, c.hard.slop};
     s.laws = {SC_NORMAL_LINEAR, SC_TANGENTIAL_NONE, SC_ROLLING_NONE, SC_TWISTING_NONE, SC_COHESION_NONE};
   }
+  if (by_vertices(c) && s.particles.shaped())
+    s.vertices = make_vertices(s.forms, static_cast<int>(c.contact.vertices), vertex_spacing(c.contact.spacing));
   s.contacts.remembers_shapes = s.particles.shaped();
   s.contacts.remembers_rolling = remembers_rolling(c);
   return s;

@@ -76,6 +76,8 @@ ParticleGroup group_of(const Case& c, const ParticleKeys& keys) {
   group.density = c.materials[group.material].density;
   group.sizes = sizes_of(keys.diameter);
   take_shape(group, keys);
+  // A round shape that is no 'sphere' has vertices as others have.
+  if (by_vertices(c) && keys.shape != "sphere") group.shape.shape.is_sphere = 0;
   group.effect_gap = keys.effect_gap;
   group.free = keys.motion == "free";
   place(group, keys, c.domain);

@@ -236,6 +236,10 @@ void Simulation::restore(const Archive& archive) {
   tally_ = {archive.integer("contact_evaluations"), archive.integer("impacts"), archive.integer("impact_speed")};
   system_.particles = std::move(saved);
   system_.forms = forms_of(archive);
+  if (system_.vertices) {
+    for (std::size_t i = 1; i < system_.forms.size(); ++i) system_.forms[i].shape.is_sphere = 0;
+    system_.vertices = make_vertices(system_.forms, system_.vertices->side, system_.vertices->spacing);
+  }
   const bool shaped = system_.particles.shaped();
   const auto rows = [&](const char* name, int width) {
     return shaped ? archive.get<double>(name, width) : std::span<const double>();

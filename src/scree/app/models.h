@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "scree/data/vertices.h"
 #include "scree/particles/fields.h"
 
 namespace scree {
@@ -28,6 +29,14 @@ inline int drag_law(const std::string& name) {
   if (name == "stokes") return SC_DRAG_STOKES;
   if (name == "schiller_naumann") return SC_DRAG_SCHILLER_NAUMANN;
   return SC_DRAG_NONE;
+}
+
+inline VertexSpacing vertex_spacing(const std::string& name) {
+  if (name == "exponential") return VertexSpacing::exponential;
+  if (name == "radial") return VertexSpacing::radial;
+  if (name == "normal") return VertexSpacing::normal;
+  if (name == "mixed") return VertexSpacing::mixed;
+  return VertexSpacing::linear;
 }
 
 inline int integrator(const std::string& name) {

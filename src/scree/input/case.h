@@ -81,7 +81,10 @@ struct PairKeys {
 };
 
 struct ContactKeys {
-  std::string collision = "soft";  // soft, hard
+  std::string collision = "soft";       // soft, hard
+  std::string detection = "certified";  // certified, vertices
+  std::uint64_t vertices = 20;          // vertices: N of N x N on each surface
+  std::string spacing = "linear";       // vertices: linear, exponential, radial, normal, mixed
   sc_laws laws{SC_NORMAL_LINEAR, SC_TANGENTIAL_HISTORY, SC_ROLLING_NONE, SC_TWISTING_NONE, SC_COHESION_NONE};
   double tangential_stiffness_ratio = 2.0 / 7.0;  // k_t / k_n of the linear laws
   std::optional<double> tangential_damping;       // damping ratio; default: as the normal one
@@ -318,6 +321,9 @@ struct Case {
 
 /// Whether collisions are impulses.
 inline bool is_hard(const Case& c) { return c.contact.collision == "hard"; }
+
+/// Whether contacts of shapes are found by vertices.
+inline bool by_vertices(const Case& c) { return c.contact.detection == "vertices"; }
 
 /// Whether contacts remember what rolling laws need. Hard collisions keep an impulse there.
 inline bool remembers_rolling(const Case& c) {

@@ -37,6 +37,7 @@ std::string item_path(const char* list, std::size_t index);
 
 void check_materials(const Check& check);  // names, references, what the laws need
 void check_hard(const Check& check);       // hard collisions
+void check_vertices(const Check& check);   // contacts by vertices
 void check_geometry(const Check& check);   // domain, regions, positions
 void check_walls(const Check& check);      // shapes, meshes, motions
 void check_particles(const Check& check);  // sizes, insertion, flow

@@ -114,6 +114,23 @@ const Section& contact_section() {
            "soft: springs and dashpots, the laws below; hard: impulses with restitution and friction, "
            "which read [[materials]] and [[pairs]] only ([hard] says how they are solved)")
            .one_of({"soft", "hard"}),
+       key("detection", &S::detection,
+           "how contacts of particles that are no spheres are found. certified: where the bodies touch when they grow "
+           "or "
+           "shrink, with a proof; vertices: by vertices of each surface that lie in the other body or behind a flat "
+           "wall, "
+           "which misses contacts and does not keep the energy of elastic ones, for comparison (docs/vertices.md)")
+           .one_of({"certified", "vertices"}),
+       key("vertices", &S::vertices, "N of the N x N vertices on each surface")
+           .between(4, 100)
+           .only_with("detection", {"vertices"}),
+       key("spacing", &S::spacing,
+           "of the vertices. linear: equal steps of both angles of the parametric form; exponential: the same around "
+           "the axis, denser at the equator along it; radial: even on faces; normal: dense where the surface is "
+           "curved; "
+           "mixed: half radial, half normal")
+           .one_of({"linear", "exponential", "radial", "normal", "mixed"})
+           .only_with("detection", {"vertices"}),
        law("normal", &sc_laws::normal,
            "linear: spring and dashpot that never pull, the damping corrected for it; linear_plain: the same, but it "
            "may pull at the end of a contact; hertz: Hertz's spring with Tsuji's damping")

@@ -94,6 +94,7 @@ Outcome evaluate(Table root, const std::string& path, const std::vector<std::str
   const Check check{result.c, result.origins, result.problems};
   check_materials(check);
   check_hard(check);
+  check_vertices(check);
   check_geometry(check);
   check_walls(check);
   check_particles(check);

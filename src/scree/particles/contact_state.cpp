@@ -2,6 +2,8 @@
 
 #include "scree/particles/rows.h"
 #include "scree/particles/shapes.h"
+#include "scree/particles/vertex_search.h"
+#include "scree/particles/vertex_views.h"
 #include "scree/physics/contact/law.h"
 #include "scree/physics/touch/shape_contact.h"
 
@@ -39,6 +41,10 @@ sc_touch touch_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t face
   return sc_touch_wall(w, s.walls.faces[face], s.walls.pose_of(face)).touch;
 }
 
+VertexView vertices_of(const ParticleSystem& s, std::size_t p) {
+  return view_of(s.vertices->of_form[static_cast<std::size_t>(s.particles.form[p])]);
+}
+
 sc_contact_energy energy_of_shape_at_wall(const ParticleSystem& s, std::size_t p, std::int32_t w,
                                           const sc_pair_law& law, const sc_contact_state& state) {
   const double* row = &s.wall_contacts.shape[wall_memory * std::size_t(w)];
@@ -58,14 +64,16 @@ sc_body_gap gap_of_shape(const ParticleSystem& s, std::size_t p, std::int32_t w)
   const sc_vec centre = vec_of(s.particles.motion.row(p)),
                anchor = vec_of(&s.wall_contacts.shape[wall_memory * std::size_t(w)]);
   sc_body_gap gaps[SC_FRUSTUM_GAPS];
-  const int count = body_to_wall(s.walls.faces[face], pose, body_shape(s.particles, p, s.forms), centre, gaps);
+  const sc_body_shape body = body_shape(s.particles, p, s.forms);
+  const int count = body_to_wall(s.walls.faces[face], pose, body, centre, gaps);
   const auto away = [&](int k) {
     const sc_vec apart = sc_sub(sc_from_wall(pose, sc_add(centre, gaps[k].arm)), anchor);
     return sc_dot(apart, apart);
   };
   int nearest = 0;
   for (int k = 1; k < count; ++k) nearest = away(k) < away(nearest) ? k : nearest;
-  return gaps[nearest];
+  if (!s.vertices || !gaps[nearest].plain) return gaps[nearest];
+  return gap_by_vertices(vertices_of(s, p), body, gaps[nearest]);
 }
 
 sc_vec branch_of_pair(const ParticleSystem& s, std::size_t c) {
@@ -80,11 +88,17 @@ sc_shape_touch touch_of_shapes(const ParticleSystem& s, std::size_t c) {
   const bool owner_first = s.particles.id[i] < s.particles.id[j];
   const sc_vec branch = branch_of_pair(s, c);
   const sc_body_shape owner = body_shape(s.particles, i, s.forms), partner = body_shape(s.particles, j, s.forms);
+  const sc_body_shape &first = owner_first ? owner : partner, &second = owner_first ? partner : owner;
+  const sc_vec between = owner_first ? branch : sc_scale(-1, branch);
+  const bool acted = s.contacts.active[c] != 0;
+  if (s.vertices) {
+    const VertexView of_owner = vertices_of(s, std::size_t(i)), of_partner = vertices_of(s, std::size_t(j));
+    return sc_shape_touch_from(touch_by_vertices(owner_first ? of_owner : of_partner, first,
+                                                 owner_first ? of_partner : of_owner, second, between, acted),
+                               owner_first);
+  }
   const double* m = &s.contacts.shape[pair_memory * c];
-  const sc_shape_touch found =
-      touch_shapes(owner_first ? owner : partner, owner_first ? partner : owner,
-                   owner_first ? branch : sc_scale(-1, branch), s.contacts.active[c] != 0, {vec_of(m), m[3]});
-  return sc_shape_touch_from(found, owner_first);
+  return sc_shape_touch_from(touch_shapes(first, second, between, acted, {vec_of(m), m[3]}), owner_first);
 }
 
 sc_sphere_touch touch_of_pair(const ParticleSystem& s, std::size_t c) {
@@ -126,7 +140,8 @@ sc_contact_energy energy_of_pair(const ParticleSystem& s, std::size_t c) {
                excess = s.particles.effect_excess[i] + s.particles.effect_excess[j];
   const sc_contact_place place = sc_place_of_shapes(found, memory[5]);
   const sc_touch touch = sc_touch_at(place, side_of(s.particles, i), side_of(s.particles, j), excess);
-  return sc_contact_energy_of(s.laws, sc_law_of_growth(law, memory[4] / found.support), touch, state_of_pair(s, c));
+  return sc_contact_energy_of(s.laws, sc_law_of_growth(law, sc_growth_ratio(memory[4], found)), touch,
+                              state_of_pair(s, c));
 }
 
 sc_contact_energy energy_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t w) {

@@ -60,6 +60,7 @@ inline sc_vec branch_of_candidate(const SweepView& v, std::int64_t c) {
     const int l = __builtin_ctz(ends);
     ShapeSearch search;
     begin_contact(v, s.which[l], branch_of_candidate(v, s.which[l]), search, findings);
+    prepare_growth(search);
     finish_contact(v, search, sc_growth_resolve(search.growth, 1, lane_search(b, l)), findings);
   }
 }
@@ -67,7 +68,7 @@ inline sc_vec branch_of_candidate(const SweepView& v, std::int64_t c) {
 /// Whether candidate c goes on, between bodies that are not both spheres and do not have about the same centre, under
 /// laws that there are lanes for.
 inline bool goes_on_in_lanes(const SweepView& v, std::int64_t c, const sc_vec& branch) {
-  if (!v.active[c] || !lanes_act(v.laws)) return false;
+  if (!v.active[c] || v.shapes.vertices || !lanes_act(v.laws)) return false;
   const std::int64_t i = v.owner[c], j = v.partner[c];
   if (is_sphere(v, i) && is_sphere(v, j)) return false;
   return sc_norm(branch) > 1e-9 * SC_MIN(v.motion[8 * i + 3], v.motion[8 * j + 3]);
@@ -85,6 +86,8 @@ inline void queue_contact(const SweepView& v, std::int64_t c, ShapeQueues& queue
   }
   ShapeSearch& search = queues.search[kind][queues.waiting[kind]];
   if (!begin_contact(v, c, branch, search, findings)) return;
+  if (v.shapes.vertices) return contact_by_vertices(v, search, findings);
+  prepare_growth(search);
   if (sc_growth_is_concentric(search.growth))
     return finish_contact(v, search, sc_growth_concentric(search.growth), findings);
   if (++queues.waiting[kind] == growth_lanes) run_queue(v, queues, kind, findings);

@@ -98,6 +98,9 @@ inline void put_memory(const SweepView& v, std::int32_t w, PlaceMemory& m) {
   for (int k = 0; k < places; ++k) near |= v.walls.active[w + k] != 0;
   sc_body_gap gaps[SC_FRUSTUM_GAPS];
   const int count = near ? sc_body_to_wall(a.face(w), a.pose(w), body, centre, gaps) : 0;
+  if (v.shapes.vertices)
+    for (int k = 0; k < count; ++k)
+      if (gaps[k].plain) gaps[k] = gap_by_vertices(v.shapes.vertices[v.shapes.form[a.p]], body, gaps[k]);
   if (places > 1 && near) match_places(a, w, gaps, count);
   for (int k = 0; k < places; ++k) {
     if (k < count) note_gap(a, w + k, gaps[k]);

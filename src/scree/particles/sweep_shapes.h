@@ -3,6 +3,7 @@
 
 #include "scree/particles/sweep_tile.h"
 #include "scree/particles/sweep_walls.h"
+#include "scree/particles/vertex_search.h"
 #include "scree/physics/rotation.h"
 #include "scree/physics/touch/shape_contact.h"
 
@@ -174,39 +175,57 @@ inline bool begin_contact(const SweepView& v, std::int64_t c, const sc_vec& bran
   out.branch = branch;
   out.first = shape_at(v, pair.owner_first ? pair.i : pair.j);
   out.second = shape_at(v, pair.owner_first ? pair.j : pair.i);
-  out.growth = sc_pair_of_shapes(out.first, out.second, sc_scale(pair.owner_first ? 1 : -1, branch));
   return true;
 }
+
+/// The branch from the first to the second.
+inline sc_vec branch_between(const ShapeSearch& s) { return sc_scale(s.pair.owner_first ? 1 : -1, s.branch); }
+
+/// What the search for the growth distance needs.
+inline void prepare_growth(ShapeSearch& s) { s.growth = sc_pair_of_shapes(s.first, s.second, branch_between(s)); }
 
 /// Where the search begins: where it ended in the step before, for bodies that touched then.
 inline sc_growth_point start_of(const ShapeSearch& s) {
   return s.acted ? shape_memory(s.pair.memory).start : sc_growth_cold(s.growth);
 }
 
-/// How the pair meets, by what its search has ended with.
-inline ShapeMeeting meeting_of(const SweepView& v, const ShapeSearch& s, const sc_growth_touch& ended) {
-  const sc_vec branch = sc_scale(s.pair.owner_first ? 1 : -1, s.branch);
-  const sc_shape_touch found = sc_shape_touch_of(s.first, s.second, branch, ended);
+/// How the pair meets, by what its search has found and how far apart the bodies are then at least.
+inline ShapeMeeting meeting_of(const SweepView& v, const ShapeSearch& s, const sc_shape_touch& found, double gap) {
   sc_shape_memory memory = shape_memory(s.pair.memory);
   ShapeMeeting m;
-  m.apart_until = 0;
-  if (found.verdict != SC_GROWTH_TOUCHING) {
-    const double gap = sc_shapes_gap(s.first, s.second, branch, found.normal);
-    m.apart_until = apart_until(v, s.pair, branch, gap);
-  } else if (!s.acted) {
+  m.apart_until = apart_until(v, s.pair, branch_between(s), gap);
+  if (found.verdict == SC_GROWTH_TOUCHING && !s.acted) {
     const double* inertia = v.shapes.inertia;
     memory = sc_shapes_meet(s.first, s.second, found, inertia[4 * s.pair.i + 3], inertia[4 * s.pair.j + 3]);
   }
+  // What vertices tell follows from no potential, so there is no distance to refer to.
+  if (v.shapes.vertices) memory.reach = 0;
   m.memory = memory;
   m.memory.start = found.start;
   m.place = sc_place_of_shapes(sc_shape_touch_from(found, s.pair.owner_first), memory.radius);
-  m.law = sc_law_of_growth(law_of_materials(v, s.pair), memory.reach > 0 ? memory.reach / found.support : 1);
+  m.law = sc_law_of_growth(law_of_materials(v, s.pair), sc_growth_ratio(memory.reach, found));
   return m;
 }
 
 [[gnu::noinline]] void finish_contact(const SweepView& v, const ShapeSearch& s, const sc_growth_touch& ended,
                                       SweepFindings& findings) {
-  act_as_meeting(v, s.c, s.pair, meeting_of(v, s, ended), findings);
+  const sc_vec branch = branch_between(s);
+  const sc_shape_touch found = sc_shape_touch_of(s.first, s.second, branch, ended);
+  const bool touching = found.verdict == SC_GROWTH_TOUCHING;
+  const double gap = touching ? 0 : sc_shapes_gap(s.first, s.second, branch, found.normal);
+  act_as_meeting(v, s.c, s.pair, meeting_of(v, s, found, gap), findings);
+}
+
+/// Evaluates a contact that vertices decide about.
+[[gnu::noinline, maybe_unused]] void contact_by_vertices(const SweepView& v, const ShapeSearch& s,
+                                                         SweepFindings& findings) {
+  const VertexView* of = v.shapes.vertices;
+  const std::int64_t first = s.pair.owner_first ? s.pair.i : s.pair.j,
+                     second = s.pair.owner_first ? s.pair.j : s.pair.i;
+  const sc_shape_touch found = touch_by_vertices(of[v.shapes.form[first]], s.first, of[v.shapes.form[second]], s.second,
+                                                 branch_between(s), s.acted);
+  const double gap = found.verdict == SC_GROWTH_APART ? -found.overlap : 0;
+  act_as_meeting(v, s.c, s.pair, meeting_of(v, s, found, gap), findings);
 }
 
 /// Evaluates candidate c alone and fills its slot.
@@ -214,6 +233,8 @@ inline ShapeMeeting meeting_of(const SweepView& v, const ShapeSearch& s, const s
                                                        SweepFindings& findings) {
   ShapeSearch s;
   if (!begin_contact(v, c, branch, s, findings)) return;
+  if (v.shapes.vertices) return contact_by_vertices(v, s, findings);
+  prepare_growth(s);
   const sc_growth_point start = s.acted ? start_of(s) : sc_growth_point{};
   finish_contact(v, s, sc_growth_solve(s.growth, s.acted, start), findings);
 }

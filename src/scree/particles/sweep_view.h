@@ -41,6 +41,17 @@ struct WallView {
   double* shape_memory;      // [contacts][wall_memory]: WallContacts::shape; null in a system of spheres
 };
 
+/// The vertices of a form in blocks of eight: data/vertices.h.
+struct VertexView {
+  const double* points;
+  const double* spheres;
+  int blocks;
+  unsigned last;  // lanes of the last block that are no copies, a bit each
+};
+
+/// Most vertices of a form: 100 by 100.
+inline constexpr int most_vertices_side = 100, most_vertex_blocks = most_vertices_side * most_vertices_side / 8;
+
 /// What particles of any shape have besides; all null in a system of spheres.
 struct ShapeView {
   const sc_form* forms;
@@ -55,6 +66,7 @@ struct ShapeView {
   std::uint8_t* full;
   const std::int32_t* mark_first;  // [n]: where those of a particle begin
   const std::int32_t* mark;        // [pairs][2]: that of the owner's entry, and of the partner's
+  const VertexView* vertices;      // of the forms: contacts are found by these; null: by the growth distance
 };
 
 /// Numbers in a slot: of spheres, and of bodies of any shape, whose torques are not the same for both partners.

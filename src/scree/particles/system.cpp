@@ -6,6 +6,7 @@
 #include "scree/base/audit.h"
 #include "scree/particles/audit.h"
 #include "scree/particles/neighbours.h"
+#include "scree/particles/vertex_views.h"
 #include "scree/physics/contact/cohesion/jkr.h"
 
 namespace scree {
@@ -137,6 +138,8 @@ ContactLists prepare_lists(const ParticleSystem& s, double skin) {
     lists.shapes.resize(lists.shapes.size() + 1);
     lists.shapes[lists.shapes.size() - 1] = form.shape;
   }
+  if (s.vertices)
+    for (const VertexBlocks& blocks : s.vertices->of_form) lists.vertices.push_back(view_of(blocks));
   lists.skin = skin;
   lists.adapts = skin == 0;
   measure_reach(lists, s);
@@ -209,7 +212,8 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
                 s.contacts.apart.data(),
                 lists.slots.full.data(),
                 lists.plan.mark_first.data(),
-                lists.plan.mark.data()};
+                lists.plan.mark.data(),
+                lists.vertices.empty() ? nullptr : lists.vertices.data()};
   v.first = s.contacts.pairs.first.data();
   v.owner = s.contacts.pairs.owner.data();
   v.partner = s.contacts.pairs.partner.data();

@@ -1,6 +1,7 @@
 // Everything that a step of the particles reads and changes.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "scree/data/forms.h"
 #include "scree/data/materials.h"
 #include "scree/data/particles.h"
+#include "scree/data/vertices.h"
 #include "scree/data/walls.h"
 #include "scree/particles/contacts.h"
 #include "scree/particles/hard/settings.h"
@@ -24,7 +26,8 @@ struct ParticleSystem {
   sc_laws laws{};
   Materials materials;
   Walls walls;
-  Forms forms;  // empty in a system of spheres
+  Forms forms;                                      // empty in a system of spheres
+  std::shared_ptr<const SurfaceVertices> vertices;  // of the forms, if contacts are found by them
   Particles particles;
   PairContacts contacts;
   WallContacts wall_contacts;
@@ -36,13 +39,14 @@ struct ContactLists {
   SweepKernels kernels{};
   SweepPlan plan;
   SweepSlots slots;
-  Buffer<sc_form> shapes;      // of the forms
-  Buffer<double> listed_at;    // [n][3]: positions when the lists were made [m]
-  double skin = 0;             // [m]
-  double travelled = 0;        // no particle has moved further since then [m]
-  double walls_travelled = 0;  // nor any wall [m]
-  double margin = 0;           // how far apart bodies may be and still act on each other [m]
-  std::int64_t passes = 0;     // since the lists were made
+  Buffer<sc_form> shapes;            // of the forms
+  std::vector<VertexView> vertices;  // of the forms, if contacts are found by them
+  Buffer<double> listed_at;          // [n][3]: positions when the lists were made [m]
+  double skin = 0;                   // [m]
+  double travelled = 0;              // no particle has moved further since then [m]
+  double walls_travelled = 0;        // nor any wall [m]
+  double margin = 0;                 // how far apart bodies may be and still act on each other [m]
+  std::int64_t passes = 0;           // since the lists were made
   std::int64_t rebuilds = 0;
   bool made = false;
   bool adapts = true;  // the skin follows the motion

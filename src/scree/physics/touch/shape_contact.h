@@ -58,6 +58,9 @@ SC_FN sc_pair_law sc_law_of_growth(sc_pair_law law, real ratio) {
   return out;
 }
 
+/// l/H, or 1 where there is no distance l to refer to: before the first touch, and with vertices.
+SC_FN real sc_growth_ratio(real reach, sc_shape_touch touch) { return reach > R(0) ? reach / touch.support : R(1); }
+
 /// How far apart two bodies are at least along a direction (unit, from the first to the second) [m].
 SC_FN real sc_shapes_gap(sc_body_shape first, sc_body_shape second, sc_vec branch, sc_vec normal) {
   const real reach = sc_support_in_world(first, normal).value + sc_support_in_world(second, normal).value;

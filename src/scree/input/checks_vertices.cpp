@@ -1,0 +1,20 @@
+// Contacts by vertices: what they do not go with.
+#include "scree/input/checks.h"
+
+namespace scree {
+
+void check_vertices(const Check& check) {
+  const Case& c = check.c;
+  if (!check.sound({"contact.detection", "contact.collision", "particles"}) || !by_vertices(c)) return;
+  if (is_hard(c))
+    return check.fail("E164", "contact.detection", "hard collisions have no use for vertices",
+                      "they know contacts by 'certified' only", "set detection = 'certified', or collision = 'soft'");
+  const auto unknown = [](const ParticleKeys& p) { return p.insert == "checkpoint"; };
+  if (!has_shapes(c) && std::none_of(c.particles.begin(), c.particles.end(), unknown))
+    check.fail("E164", "contact.detection", "vertices are of particles that are no spheres",
+               "all particles here are spheres",
+               "remove it, or set a shape: one with exponents 1 and equal half axes is round and has vertices   (scree "
+               "explain particles.shape)");
+}
+
+}  // namespace scree
