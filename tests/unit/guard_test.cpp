@@ -78,6 +78,15 @@ TEST(Guard, NamesTheParticleOfADeepOverlapWithAWall) {
   expect_words(f.text, {"particle 1 ", "wall 'end'", "overlap"});
 }
 
+TEST(Guard, TellsHowHardCollisionsAreFoundSooner) {
+  // 4 mm in a step, 1 mm too far apart for the second one: they are 3 mm deep in each other then.
+  const Failure f = failure_of(two_text("[0.065, 0.05, 0.05]", "[-40, 0, 0]"),
+                               {"contact.collision=hard", "simulation.time_step=1e-4"});
+  EXPECT_NEAR(f.time, 3e-4, 1.1e-4);
+  expect_words(f.text, {"overlap of 0.6 ", "max_overlap", "hard.travel"});
+  EXPECT_EQ(f.text.find("too soft"), std::string::npos) << f.text;
+}
+
 /// The relative overlap that the pass finds in the first step of a case.
 double overlap_of(const std::string& text, const Overrides& overrides) {
   Simulation s(case_of(text, overrides), 1);

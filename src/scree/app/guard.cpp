@@ -108,14 +108,18 @@ Overlap deepest_at_wall(const ParticleSystem& s) {
   return worst;
 }
 
-/// Names the deepest contact there is now, one step after it was noticed.
+/// Names the deepest contact there is now, one step after it was noticed. Hard collisions have taken it apart by then.
 [[noreturn]] void report_deep(const ParticleSystem& s, double deepest, double limit, double time) {
+  const std::string what =
+      fmt::format("t = {:.9g} s: an overlap of {:.3g} of the smaller radius exceeds simulation.max_overlap = {:.3g}",
+                  time, deepest, limit);
+  if (s.hard)
+    throw PhysicsError(what +
+                       ". Hard collisions are found late by up to a step, in which fast or thin bodies go deep into "
+                       "each other: shorten simulation.time_step, or hard.travel from which it follows");
   const Overlap pair = deepest_pair(s), wall = deepest_at_wall(s);
-  throw PhysicsError(
-      fmt::format("t = {:.9g} s: an overlap of {:.3g} of the smaller radius exceeds simulation.max_overlap = "
-                  "{:.3g}, between {}. {}",
-                  time, deepest, limit, (wall.share > pair.share ? wall : pair).who,
-                  (wall.share > pair.share ? wall : pair).reason));
+  const Overlap& worst = wall.share > pair.share ? wall : pair;
+  throw PhysicsError(what + ", between " + worst.who + ". " + worst.reason);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The simulated box: its corners and which axes are periodic.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -17,6 +18,9 @@ struct Domain {
 
   /// Length of a period, or 0 along an axis that is not periodic.
   double period(int axis) const { return periodic[axis] ? length(axis) : 0.0; }
+
+  /// Infinite where no axis is periodic.
+  double shortest_period() const { return 2 * std::min({half_period(0), half_period(1), half_period(2)}); }
 
   /// Half a period, or infinity: a difference is reduced when it is larger.
   double half_period(int axis) const {

@@ -48,13 +48,20 @@ inline double way_of(const SweepView& v, const ShapePair& pair) {
 /// How far apart their bounding spheres are [m], negative if they overlap. `reach`: the sum of their radii.
 inline double sphere_gap(const sc_vec& branch, double reach) { return (1 - 1e-12) * (sc_norm(branch) - reach); }
 
-/// Up to which way a pair stays apart that is so by `gap` [m] at the nearest image of the partner: no other image can
-/// be reached before either.
+/// How far the surfaces of a pair may go before the two can meet [m]: `gap` is how far apart they are at the nearest
+/// image of the partner, `distance` that of the centres there, `reach` the sum of the bounding radii. No other image is
+/// nearer than a period less.
+inline double free_way(double gap, double distance, double reach, double shortest_period) {
+  return SC_MIN(gap, shortest_period - distance - reach);
+}
+
+/// Up to which way of both surfaces a pair is known to be apart: it has gone `way` and may go another `free`.
+inline double apart_until(double way, double free) { return free > 0 ? (1 - 1e-12) * (way + free) : 0; }
+
+/// Up to which way a pair stays apart that is so by `gap` [m].
 inline double apart_until(const SweepView& v, const ShapePair& pair, const sc_vec& branch, double gap) {
   const double reach = v.motion[8 * pair.i + 3] + v.motion[8 * pair.j + 3];
-  const double other = v.shortest_period - sc_norm(branch) - reach;
-  const double free = SC_MIN(gap, other) - v.margin;
-  return free > 0 ? (1 - 1e-12) * (way_of(v, pair) + free) : 0;
+  return apart_until(way_of(v, pair), free_way(gap, sc_norm(branch), reach, v.shortest_period) - v.margin);
 }
 
 inline sc_shape_memory shape_memory(const double* m) { return {{vec_of(m), m[3]}, m[4], m[5]}; }

@@ -249,7 +249,7 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
     v.high[k] = s.domain.high(k);
   }
   v.half_period[3] = std::numeric_limits<double>::infinity();
-  v.shortest_period = 2 * std::min({v.half_period[0], v.half_period[1], v.half_period[2]});
+  v.shortest_period = s.domain.shortest_period();
   v.move = move;
   const sc_vec& g = move.gravity;
   v.field = field;

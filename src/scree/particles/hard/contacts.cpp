@@ -45,10 +45,11 @@ bool shapes_touch(ParticleSystem& s, std::size_t c) {
     store4(memory, lane4{point.x, point.y, point.z, found.start.share});
     return true;
   }
-  const double gap =
-      sc_shapes_gap(body_shape(p, i, s.forms), body_shape(p, j, s.forms), branch_of_pair(s, c), found.normal);
+  const sc_vec branch = branch_of_pair(s, c);
+  const double gap = sc_shapes_gap(body_shape(p, i, s.forms), body_shape(p, j, s.forms), branch, found.normal),
+               reach = p.motion.row(i)[lane::radius] + p.motion.row(j)[lane::radius];
   store4(memory, lane4{});
-  s.contacts.apart[c] = gap > 0 ? (1 - 1e-12) * (way + gap) : 0;
+  s.contacts.apart[c] = apart_until(way, free_way(gap, sc_norm(branch), reach, s.domain.shortest_period()));
   return false;
 }
 
