@@ -49,30 +49,16 @@ count = 220
 velocity = { type = "fluid" }
 )";
 
-struct Outcome {
-  std::string hash;
-  std::int64_t contacts, impacts, impact_speed;
-  auto operator<=>(const Outcome&) const = default;
-};
-
-Outcome outcome(const Case& c, int threads, int steps, double skin = 0) {
-  Case own = c;
-  own.simulation.skin = skin;
-  Simulation s(own, {threads, 1});
-  advance(s, steps);
-  return {s.state_hash(), s.tally().contacts, s.tally().impacts, s.tally().impact_speed};
-}
-
 void expect_one_outcome(const Case& c, int steps, std::initializer_list<double> skins) {
-  const Outcome truth = outcome(c, 1, steps);
+  const Outcome truth = outcome(c, {1, 1}, steps);
   EXPECT_GT(truth.contacts, steps) << "the test tests little";
   EXPECT_GT(truth.impacts, 50);
-  for (const int threads : {2, 3}) EXPECT_EQ(outcome(c, threads, steps), truth) << "threads: " << threads;
-  for (const double skin : skins) EXPECT_EQ(outcome(c, 1, steps, skin), truth) << "skin " << skin;
-  EXPECT_EQ(outcome(c, 3, steps, *skins.begin()), truth) << "three threads and a skin";
+  for (const int threads : {2, 3}) EXPECT_EQ(outcome(c, {threads, 1}, steps), truth) << "threads: " << threads;
+  for (const double skin : skins) EXPECT_EQ(outcome(c, {1, 1}, steps, skin), truth) << "skin " << skin;
+  EXPECT_EQ(outcome(c, {3, 1}, steps, *skins.begin()), truth) << "three threads and a skin";
   for (const char* isa : instruction_sets()) {
     const InstructionSet chosen(isa);
-    EXPECT_EQ(outcome(c, 2, steps), truth) << isa;
+    EXPECT_EQ(outcome(c, {2, 1}, steps), truth) << isa;
   }
 }
 
@@ -91,11 +77,11 @@ TEST(Bits, OfHertzianContactsDependOnNothingButTheCase) {
 
 TEST(Bits, AreNotTheSameForAnotherCase) {
   const Case c = case_of(crowd_text(rough, 60));
-  const std::string hash = outcome(c, 1, 200).hash;
+  const std::string hash = outcome(c, {1, 1}, 200).hash;
   for (const char* change : {"materials.glass.restitution=0.80000001", "simulation.seed=2",
                              "simulation.time_step=2.0000001e-5", "gravity.acceleration=[0.3, 0, -9.810001]"})
-    EXPECT_NE(outcome(case_of(crowd_text(rough, 60), {change}), 1, 200).hash, hash) << change;
-  EXPECT_NE(outcome(c, 1, 201).hash, hash);
+    EXPECT_NE(outcome(case_of(crowd_text(rough, 60), {change}), {1, 1}, 200).hash, hash) << change;
+  EXPECT_NE(outcome(c, {1, 1}, 201).hash, hash);
 }
 
 TEST(Bits, DoNotFeelASample) {
@@ -105,7 +91,7 @@ TEST(Bits, DoNotFeelASample) {
     if (k % 7 == 0) looked_at.sample();
     looked_at.step();
   }
-  EXPECT_EQ(looked_at.state_hash(), outcome(c, 1, 300).hash);
+  EXPECT_EQ(looked_at.state_hash(), outcome(c, {1, 1}, 300).hash);
 }
 
 }  // namespace

@@ -81,6 +81,21 @@ inline void advance(Simulation& simulation, int steps) {
   for (int k = 0; k < steps; ++k) simulation.step();
 }
 
+/// What a run ends with, to the bit.
+struct Outcome {
+  std::string hash;
+  std::int64_t contacts, impacts, impact_speed;
+  auto operator<=>(const Outcome&) const = default;
+};
+
+inline Outcome outcome(const Case& c, Team team, int steps, double skin = 0) {
+  Case own = c;
+  own.simulation.skin = skin;
+  Simulation s(own, team);
+  advance(s, steps);
+  return {s.state_hash(), s.tally().contacts, s.tally().impacts, s.tally().impact_speed};
+}
+
 /// Rows of the particles in the order of their ids.
 inline std::vector<std::size_t> rows_by_id(const Particles& p) {
   std::vector<std::size_t> row(p.size());

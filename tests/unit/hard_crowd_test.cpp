@@ -3,9 +3,7 @@
 
 #include <cmath>
 
-#include "engine_cases.h"
-#include "scree/analysis/ledger.h"
-#include "scree/analysis/measure.h"
+#include "engine_books.h"
 
 namespace scree {
 namespace {
@@ -28,39 +26,8 @@ const Overrides elastic = {"gravity.type=none",
                            "materials.glass.friction_sliding=0",
                            "materials.rubber.friction_sliding=0"};
 
-double norm(const std::array<double, 3>& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
-
-struct Closure {
-  double energy = 0, momentum = 0, angular = 0;  // largest relative errors
-  Measured first, last;
-  Tally tally;
-};
-
-Closure follow(const Case& c, int steps, const std::vector<std::string>& omit = {}) {
-  Simulation s(c, {2});
-  Books books;
-  Closure out;
-  double turn = 0;
-  for (int k = 0; k <= 10; ++k) {
-    if (k) advance(s, steps / 10);
-    Measured now = measure(s.sample(), s.fields(), s.clock().now());
-    leave_out(now, omit);
-    if (k == 0) books = open_books(out.first = now);
-    enter(books, now);
-    const LedgerRow row = balance(books, now, s.system().domain.any_periodic());
-    turn = std::max(turn, norm(now.angular_momentum));
-    out.energy = std::max(out.energy, std::abs(row.relative_energy_error()));
-    out.momentum = std::max(out.momentum, row.relative_momentum_error);
-    out.angular = std::max(out.angular, row.angular_momentum_error);
-    out.last = now;
-  }
-  out.angular /= turn;
-  out.tally = s.tally();
-  return out;
-}
-
 TEST(HardCrowd, WithoutLossKeepsItsEnergy) {
-  const Closure found = follow(crowd(180, 0.034, elastic), 2000);
+  const Closure found = follow(crowd(180, 0.034, elastic), {2}, 2000);
   EXPECT_GT(found.tally.impacts, 500);
   EXPECT_NEAR(found.last.kinetic + found.last.rotational, found.first.kinetic + found.first.rotational,
               1e-12 * found.first.kinetic);
@@ -70,7 +37,7 @@ TEST(HardCrowd, WithoutLossKeepsItsEnergy) {
 }
 
 TEST(HardCrowd, ClosesItsBooks) {
-  const Closure found = follow(crowd(120, 0.034), 900);
+  const Closure found = follow(crowd(120, 0.034), {2}, 900);
   EXPECT_GT(found.tally.impacts, 500);
   EXPECT_LT(found.energy, 1e-12);
   EXPECT_LT(found.momentum, 1e-12);
@@ -78,11 +45,11 @@ TEST(HardCrowd, ClosesItsBooks) {
   EXPECT_GT(found.last.dissipated_normal, 0);
   EXPECT_GT(found.last.dissipated_sliding, 0);
   for (const char* channel : {"normal", "sliding", "relocation"}) {
-    const Closure wrong = follow(crowd(60, 0.026), 300, {channel});
+    const Closure wrong = follow(crowd(60, 0.026), {2}, 300, {channel});
     EXPECT_GT(wrong.energy, 1e-6) << channel << " left out and not missed";
   }
   for (const char* channel : {"momentum_impulse", "angular_impulse"}) {
-    const Closure wrong = follow(crowd(60, 0.026), 300, {channel});
+    const Closure wrong = follow(crowd(60, 0.026), {2}, 300, {channel});
     EXPECT_GT(std::max(wrong.momentum, wrong.angular), 1e-6) << channel << " left out and not missed";
   }
 }
@@ -124,7 +91,7 @@ region_min = [0, -0.006, -0.004]
 region_max = [0.009, 0.006, 0.004]
 velocity = [-0.2, 0.1, 0]
 )";
-  const Closure found = follow(case_of(text), 1000);
+  const Closure found = follow(case_of(text), {2}, 1000);
   EXPECT_GT(found.tally.impacts, 100);
   EXPECT_LT(found.energy, 1e-13);
   EXPECT_LT(found.momentum, 1e-14);
@@ -138,36 +105,22 @@ TEST(HardCrowd, BooksWallsThatMoveFieldsAndDrag) {
       "motion = { type = \"oscillation\", amplitude = [0, 0.002, 0], frequency = 10 }\n"
       "[flow]\ntype = \"still\"\ndrag = \"stokes\"\nviscosity = 1e-3\n";
   const Case c = case_of(crowd_text(rough, 60, 0.03) + piston, {"simulation.time_step=1e-4"});
-  const Closure found = follow(c, 800);
+  const Closure found = follow(c, {2}, 800);
   EXPECT_LT(found.energy, 1e-12);
   EXPECT_LT(found.momentum, 1e-12);
   EXPECT_LT(found.angular, 1e-11);
   EXPECT_NE(found.last.wall_work, 0);
-  for (const char* channel : {"walls", "drag"}) EXPECT_GT(follow(c, 300, {channel}).energy, 1e-6) << channel;
-}
-
-struct Outcome {
-  std::string hash;
-  std::int64_t contacts, impacts, impact_speed;
-  auto operator<=>(const Outcome&) const = default;
-};
-
-Outcome outcome(const Case& c, int threads, int steps, double skin = 0) {
-  Case own = c;
-  own.simulation.skin = skin;
-  Simulation s(own, {threads, 8});
-  advance(s, steps);
-  return {s.state_hash(), s.tally().contacts, s.tally().impacts, s.tally().impact_speed};
+  for (const char* channel : {"walls", "drag"}) EXPECT_GT(follow(c, {2}, 300, {channel}).energy, 1e-6) << channel;
 }
 
 TEST(HardCrowd, HasBitsThatDependOnNothingButTheCase) {
   // Crowded enough that colours are shared by threads.
   const Case c = crowd(90, 0.028, {"gravity.acceleration=[0.3, 0, -60]", "hard.sweeps=10"});
-  const Outcome truth = outcome(c, 1, 350);
+  const Outcome truth = outcome(c, {1, 8}, 350);
   EXPECT_GT(truth.contacts, 4000);
   EXPECT_GT(truth.impacts, 50);
-  for (const int threads : {2, 3}) EXPECT_EQ(outcome(c, threads, 350), truth) << threads;
-  for (const double skin : {1e-4, 3e-3}) EXPECT_EQ(outcome(c, 1, 350, skin), truth) << skin;
+  for (const int threads : {2, 3}) EXPECT_EQ(outcome(c, {threads, 8}, 350), truth) << threads;
+  for (const double skin : {1e-4, 3e-3}) EXPECT_EQ(outcome(c, {1, 8}, 350, skin), truth) << skin;
 }
 
 TEST(HardCrowd, GoesOnWithTheSameBits) {
@@ -189,7 +142,7 @@ TEST(HardCrowd, DoesNotFeelASample) {
     if (k % 7 == 0) looked_at.sample();
     looked_at.step();
   }
-  EXPECT_EQ(looked_at.state_hash(), outcome(c, 1, 300).hash);
+  EXPECT_EQ(looked_at.state_hash(), outcome(c, {1, 8}, 300).hash);
 }
 
 TEST(HardCrowd, SettlesDown) {

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine_cases.h"
-#include "scree/analysis/ledger.h"
-#include "scree/analysis/measure.h"
+#include "engine_books.h"
 #include "scree/base/error.h"
 
 namespace scree {
@@ -31,20 +29,9 @@ std::array<double, 3> velocity(Simulation& s) {
   return {m[4], m[5], m[6]};
 }
 
-/// The largest error of the energy books over the turnover in ten looks.
+/// The largest error of the energy books over the turnover.
 double energy_error(const Case& c, int steps, const std::vector<std::string>& omit = {}) {
-  Simulation s(c, {2, 1});
-  Books books;
-  double worst = 0;
-  for (int k = 0; k <= 10; ++k) {
-    if (k) advance(s, steps / 10);
-    Measured now = measure(s.sample(), s.fields(), s.clock().now());
-    leave_out(now, omit);
-    if (k == 0) books = open_books(now);
-    enter(books, now);
-    worst = std::max(worst, std::abs(balance(books, now, true).relative_energy_error()));
-  }
-  return worst;
+  return follow(c, {2, 1}, steps, omit).energy;
 }
 
 TEST(MovingWall, ElasticBallLeavesItWithTwiceItsVelocityMore) {
