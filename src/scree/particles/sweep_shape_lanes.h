@@ -121,8 +121,7 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
   place.arm_a = sc_choose_vec(from_owner, found.arm, found.arm_second);
   place.arm_b = sc_choose_vec(from_owner, found.arm_second, found.arm);
   place.radius = s.reach[1][i];
-  const sc_pair_law law =
-      sc_law_of_growth(table[s.law[i]], s.reach[0][i] > R(0) ? s.reach[0][i] / found.support : R(1));
+  const sc_pair_law law = sc_law_of_growth(table[s.law[i]], sc_growth_ratio(s.reach[0][i], found));
   const sc_touch touch =
       sc_touch_at(place, lane_side(s.speed_i, s.spin_i, i), lane_side(s.speed_j, s.spin_j, i), s.excess[i]);
   sc_contact_state before;
@@ -133,10 +132,10 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
   before.roll = sc_zero_vec();
   before.twist = R(0);
   const sc_contact_result r = sc_contact_act(laws, law, touch, time, before);
-  const sc_vec force = sc_add(r.action.normal_force, r.action.tangential_force);
-  keep_vec(s.force, i, force);
-  keep_vec(s.torque_i, i, sc_add(sc_cross(place.arm_a, force), r.action.couple));
-  keep_vec(s.torque_j, i, sc_scale(R(-1), sc_add(sc_cross(place.arm_b, force), r.action.couple)));
+  const ShapeLoads loads = loads_of(place, r.action);
+  keep_vec(s.force, i, loads.force);
+  keep_vec(s.torque_i, i, loads.torque_a);
+  keep_vec(s.torque_j, i, loads.torque_b);
   s.force[3][i] = r.action.loss_normal;
   s.torque_i[3][i] = r.action.loss_sliding;
   s.torque_j[3][i] = r.action.loss_rolling;

@@ -22,12 +22,17 @@ struct VertexHits {
   std::uint8_t lanes[most_vertex_blocks];
 };
 
+/// The lanes of which a bit is set: the inverse of bits_of().
+[[gnu::always_inline]] inline mask8 mask_of(unsigned bits) {
+  const mask8 one = {1, 2, 4, 8, 16, 32, 64, 128};
+  return (one & static_cast<std::int64_t>(bits)) != 0;
+}
+
 inline void note_block(const VertexView& of, int block, mask8 found, VertexHits& hits) {
   unsigned lanes = bits_of(found);
   if (block == of.blocks - 1) lanes &= of.last;
   if (lanes == 0) return;
-  const mask8 one = {1, 2, 4, 8, 16, 32, 64, 128};
-  const mask8 counts = (one & static_cast<std::int64_t>(lanes)) != 0;
+  const mask8 counts = mask_of(lanes);
   const double* p = of.points + std::int64_t{48} * block;
   for (int k = 0; k < 6; ++k) hits.sum[k] += (lane8)((mask8)load8(p + 8 * k) & counts);
   hits.count += __builtin_popcount(lanes);
@@ -149,9 +154,7 @@ inline double reach_along(const VertexView& of, const sc_body_shape& body, const
   for (int b = 0; b < hits.blocks; ++b) {
     const double* p = of.points + std::int64_t{48} * hits.block[b];
     const lane8 along = (d.x * load8(p) + d.y * load8(p + 8)) + d.z * load8(p + 16);
-    const mask8 one = {1, 2, 4, 8, 16, 32, 64, 128};
-    const mask8 counts = (one & static_cast<std::int64_t>(hits.lanes[b])) != 0;
-    most = counts & (along > most) ? along : most;
+    most = mask_of(hits.lanes[b]) & (along > most) ? along : most;
   }
   double farthest = most[0];
   for (int l = 1; l < 8; ++l) farthest = SC_MAX(farthest, most[l]);
