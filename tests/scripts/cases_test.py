@@ -91,11 +91,18 @@ class Cases(unittest.TestCase):
 
     def test_the_architecture_tells_the_memory(self):
         text = (SOURCE / "ARCHITECTURE.md").read_text()
-        for example, pair in (("02_bouncing_ball", "candidate pair"), ("03_settling_heap", "with rolling, twisting or hard collisions")):
+
+        def told(what):
+            return [int(bytes) for bytes in re.findall(rf"^\| {what} \| (\d+)", text, re.MULTILINE)]
+
+        (particle,), (pair,) = told("particle, in all"), told("candidate pair")
+        (rolling,) = told("with rolling, twisting or hard collisions")
+        shape, pair_of_shapes = told("and where some are no spheres")
+        for example, per_particle, per_pair in (("02_bouncing_ball", particle, pair),
+                                                ("03_settling_heap", particle, rolling),
+                                                ("12_fifty_cylinders", particle + shape, rolling + pair_of_shapes)):
             report = scree("check", SOURCE / "examples" / example / "case.toml").stdout
-            told = [re.search(rf"^\| {what} \| (\d+)", text, re.MULTILINE).group(1)
-                    for what in ("particle, in all", pair)]
-            self.assertIn(f"({told[0]} B per particle, {told[1]} B per pair", report)
+            self.assertIn(f"({per_particle} B per particle, {per_pair} B per pair", report)
 
     def test_the_first_steps_of_the_readme_work(self):
         """The case that README.md prints is a case, and every program call it prints exists."""
