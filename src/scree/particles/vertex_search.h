@@ -154,7 +154,7 @@ inline double reach_along(const VertexView& of, const sc_body_shape& body, const
   for (int b = 0; b < hits.blocks; ++b) {
     const double* p = of.points + std::int64_t{48} * hits.block[b];
     const lane8 along = (d.x * load8(p) + d.y * load8(p + 8)) + d.z * load8(p + 16);
-    most = mask_of(hits.lanes[b]) & (along > most) ? along : most;
+    most = (mask_of(hits.lanes[b]) & (along > most)) ? along : most;
   }
   double farthest = most[0];
   for (int l = 1; l < 8; ++l) farthest = SC_MAX(farthest, most[l]);
