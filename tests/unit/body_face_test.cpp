@@ -93,7 +93,7 @@ TEST(BodyFace, SurfacesOfRevolutionByBruteForce) {
       f.start_radius = i % 4 == 1 ? 0 : 1 + uniform_draw(random);
       f.end_radius = i % 4 == 2 ? f.start_radius : 0.5 + 2 * uniform_draw(random);
       sc_body_gap gaps[SC_FRUSTUM_GAPS];
-      const int count = sc_body_frustum({b.form.shape, b.radius, m}, f, gaps);
+      const int count = sc_body_frustum({b.form.shape, b.radius, m}, f, b.radius, gaps);
       ASSERT_GE(count, 1);
       const sc_vec u = sc_perpendicular(f.axis), v = sc_cross(f.axis, u);
       double best = 1e9;
@@ -125,7 +125,7 @@ TEST(BodyFace, ARodAcrossAPipeTouchesAtBothEnds) {
   pipe.length = 4;
   pipe.start_radius = pipe.end_radius = 0.99;
   sc_body_gap gaps[SC_FRUSTUM_GAPS];
-  ASSERT_EQ(sc_body_frustum({rod.form.shape, 1, sc_unit_mat()}, pipe, gaps), 2);
+  ASSERT_EQ(sc_body_frustum({rod.form.shape, 1, sc_unit_mat()}, pipe, 1, gaps), 2);
   for (int k = 0; k < 2; ++k) {
     EXPECT_NEAR(gaps[k].growth, 0.99, 1e-12);
     EXPECT_NEAR(gaps[k].overlap, 0.01, 1e-12);

@@ -62,7 +62,7 @@ TEST(ShapeWall, SphereOfTheFormOfASuperellipsoidIsASphereAtEveryWall) {
       if (expected.distance > radius || expected.distance < 0.02) continue;
       const sc_body_shape body{sphere, radius, sc_quat_mat(sc_quat_of_turn(sc_make_vec(draw(), draw(), draw())))};
       sc_body_gap gaps[SC_FRUSTUM_GAPS];
-      ASSERT_GE(sc_body_to_wall(wall, pose, body, x, gaps), 1);
+      ASSERT_GE(sc_body_to_wall(wall, pose, body, x, body.radius, gaps), 1);
       ++touched;
       EXPECT_NEAR(gaps[0].overlap, radius - expected.distance, 1e-10) << wall.kind;
       const sc_vec off = sc_sub(gaps[0].normal, expected.normal);

@@ -45,16 +45,17 @@ void build_flow(const FlowKeys& k, Fields& f) {
 }
 
 /// Two particles must not meet over both sides of the box. What the keys tell is checked with the input; how far a neck
-/// of adhesion may be drawn out follows from the materials.
+/// of adhesion may be drawn out follows from the materials, and how far apart shapes act from their forms.
 void expect_one_image(const ParticleSystem& s, double skin) {
-  if (s.laws.cohesion != SC_COHESION_JKR) return;
+  const int cohesion = s.laws.cohesion;
+  if (cohesion == SC_COHESION_NONE || (cohesion == SC_COHESION_LINEAR && !s.particles.shaped())) return;
   const double needed = 2 * (longest_range(s) + skin);
   for (int k = 0; k < 3; ++k)
     if (s.domain.periodic[k] && s.domain.period(k) <= needed)
       throw InputError(fmt::format(
           "domain.periodic: the domain is too small to be periodic along {}: {} m long, must be above {:.6g} m\n"
-          "  = help: a periodic box must be longer than two interaction ranges (largest diameter, the longest "
-          "neck of adhesion, and skin)",
+          "  = help: a periodic box must be longer than two interaction ranges (largest diameter, how far "
+          "cohesion reaches beyond bodies, and skin)",
           "xyz"[k], s.domain.period(k), needed));
 }
 

@@ -125,7 +125,6 @@ void refuse_shapes(const Case& c, const ParticleKeys& keys, const std::string& o
       throw at(c, keys, "checkpoint",
                {"E164", {}, fmt::format("{} for spheres only", what), origin + " holds other particles", help});
   };
-  refuse(c.contact.laws.cohesion != SC_COHESION_NONE, "cohesion is there", "set contact.cohesion = 'none'");
   refuse(c.gravity.type == "rotating", "a rotating frame is there",
          "turn the walls ([walls.motion]) instead of the frame");
 }

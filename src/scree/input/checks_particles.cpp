@@ -60,9 +60,6 @@ void check_shape(const Check& check, std::size_t index) {
                                         : fmt::format("{} given", o.quaternion.size()));
   if (o.axis == Vec3{} && o.type != "random")
     check.fail("E167", turn + ".axis", "the axis of the rotation has no direction", "it is (0, 0, 0)");
-  if (check.sound({"contact.cohesion"}) && check.c.contact.laws.cohesion != SC_COHESION_NONE)
-    check.fail("E164", path + ".shape", "cohesion is there between spheres only",
-               fmt::format("'{}' is no sphere", p.shape), "set contact.cohesion = 'none'");
   if (check.c.gravity.type == "rotating")
     check.fail("E164", path + ".shape", "particles in a rotating frame must be spheres", "gravity.type is 'rotating'",
                "turn the walls ([walls.motion]) instead of the frame");

@@ -9,6 +9,9 @@ void check_vertices(const Check& check) {
   if (is_hard(c))
     return check.fail("E164", "contact.detection", "hard collisions have no use for vertices",
                       "they know contacts by 'certified' only", "set detection = 'certified', or collision = 'soft'");
+  if (check.sound({"contact.cohesion"}) && c.contact.laws.cohesion != SC_COHESION_NONE)
+    check.fail("E164", "contact.detection", "vertices tell nothing of bodies that are apart, where cohesion acts",
+               "needs contact.cohesion = 'none'", "set detection = 'certified', or cohesion = 'none'");
   const auto unknown = [](const ParticleKeys& p) { return p.insert == "checkpoint"; };
   if (!has_shapes(c) && std::none_of(c.particles.begin(), c.particles.end(), unknown))
     check.fail("E164", "contact.detection", "vertices are of particles that are no spheres",

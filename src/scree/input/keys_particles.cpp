@@ -110,7 +110,7 @@ const Section& particles_section() {
        key("shape", &S::shape,
            "sphere; ellipsoid; superellipsoid: |x/a|^(2/e2) + |y/b|^(2/e2) to the power e2/e1, plus |z/c|^(2/e1), is "
            "1; cylinder: the same with its axis along z and rounded edges (exponents 0.25 and 1); box: with rounded "
-           "edges (0.25 and 0.25). Others than spheres go without cohesion, and not with a rotating frame")
+           "edges (0.25 and 0.25). Others than spheres do not go with a rotating frame")
            .one_of({"sphere", "ellipsoid", "superellipsoid", "cylinder", "box"})
            .not_with("insert", {"checkpoint"}),
        key("half_axes", &S::half_axes,

@@ -51,9 +51,10 @@ sc_contact_energy energy_of_shape_at_wall(const ParticleSystem& s, std::size_t p
   const sc_wall_memory memory{vec_of(row), row[3], row[7]};
   const sc_body_gap gap = gap_of_shape(s, p, w);
   const sc_body_side wall{sc_zero_vec(), sc_zero_vec(), 0};
+  const double ratio = sc_wall_ratio(gap, memory);
   const sc_touch touch =
-      sc_touch_at(sc_place_at_wall(gap, memory), side_of(s.particles, p), wall, s.particles.effect_excess[p]);
-  return sc_contact_energy_of(s.laws, sc_law_of_growth(law, sc_wall_ratio(gap, memory)), touch, state);
+      sc_touch_at(sc_place_at_wall(gap, memory), side_of(s.particles, p), wall, s.particles.effect_excess[p] / ratio);
+  return sc_contact_energy_of(s.laws, sc_law_of_growth(law, ratio), touch, state);
 }
 
 }  // namespace
@@ -65,7 +66,10 @@ sc_body_gap gap_of_shape(const ParticleSystem& s, std::size_t p, std::int32_t w)
                anchor = vec_of(&s.wall_contacts.shape[wall_memory * std::size_t(w)]);
   sc_body_gap gaps[SC_FRUSTUM_GAPS];
   const sc_body_shape body = body_shape(s.particles, p, s.forms);
-  const int count = body_to_wall(s.walls.faces[face], pose, body, centre, gaps);
+  const sc_pair_law& law = s.materials.pair(s.particles.material[p], s.walls.faces[face].material);
+  const double reach =
+      sc_reach_at_wall(s.laws, law, body, s.particles.radius_by_volume(p), s.particles.effect_excess[p]);
+  const int count = body_to_wall(s.walls.faces[face], pose, body, centre, reach, gaps);
   const auto away = [&](int k) {
     const sc_vec apart = sc_sub(sc_from_wall(pose, sc_add(centre, gaps[k].arm)), anchor);
     return sc_dot(apart, apart);
@@ -98,7 +102,9 @@ sc_shape_touch touch_of_shapes(const ParticleSystem& s, std::size_t c) {
                                owner_first);
   }
   const double* m = &s.contacts.shape[pair_memory * c];
-  return sc_shape_touch_from(touch_shapes(first, second, between, acted, {vec_of(m), m[3]}), owner_first);
+  const double limit =
+      sc_growth_limit(s.laws, first, second, acted, s.particles.effect_excess[i] + s.particles.effect_excess[j]);
+  return sc_shape_touch_from(touch_shapes(first, second, between, acted, {vec_of(m), m[3]}, limit), owner_first);
 }
 
 sc_sphere_touch touch_of_pair(const ParticleSystem& s, std::size_t c) {
@@ -136,12 +142,12 @@ sc_contact_energy energy_of_pair(const ParticleSystem& s, std::size_t c) {
   if (is_sphere(s.particles, i) && is_sphere(s.particles, j))
     return sc_contact_energy_of(s.laws, law, touch_of_pair(s, c).touch, state_of_pair(s, c));
   const sc_shape_touch found = touch_of_shapes(s, c);
-  const double *memory = &s.contacts.shape[pair_memory * c],
-               excess = s.particles.effect_excess[i] + s.particles.effect_excess[j];
+  const double* memory = &s.contacts.shape[pair_memory * c];
+  const double ratio = sc_growth_ratio(memory[4], found),
+               excess = (s.particles.effect_excess[i] + s.particles.effect_excess[j]) / ratio;
   const sc_contact_place place = sc_place_of_shapes(found, memory[5]);
   const sc_touch touch = sc_touch_at(place, side_of(s.particles, i), side_of(s.particles, j), excess);
-  return sc_contact_energy_of(s.laws, sc_law_of_growth(law, sc_growth_ratio(memory[4], found)), touch,
-                              state_of_pair(s, c));
+  return sc_contact_energy_of(s.laws, sc_law_of_growth(law, ratio), touch, state_of_pair(s, c));
 }
 
 sc_contact_energy energy_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t w) {

@@ -14,7 +14,7 @@ using GrowthLane = double[growth_lanes];
 
 /// Pairs of one kind (SC_GROWTH_22 ...) and their searches.
 struct alignas(64) GrowthBatch {
-  GrowthLane scale_a[3], scale_b[3], turn[9], branch[3], radius_b, rounding;
+  GrowthLane scale_a[3], scale_b[3], turn[9], branch[3], radius_b, rounding, limit;
   GrowthLane exponent[4], inverse[4];  // of A in the plane, of A, of B in the plane, of B
   GrowthLane at[4], base[4], step[4], fraction, misfit, low, high, normal[3], weight, growth, verdict;
 };
@@ -44,6 +44,7 @@ template <int Kind>
   p.branch = lane_vec(b.branch, i);
   p.radius_b = b.radius_b[i];
   p.rounding = b.rounding[i];
+  p.limit = b.limit[i];
   return p;
 }
 
@@ -98,6 +99,7 @@ inline void set_lane(GrowthBatch& b, int i, const sc_growth_pair& p, const sc_gr
   keep_vec(b.branch, i, p.branch);
   b.radius_b[i] = p.radius_b;
   b.rounding[i] = p.rounding;
+  b.limit[i] = p.limit;
   set_exponents(b, i, p.gauge_a, p.gauge_b);
   keep_search(b, i, sc_growth_search_from(start));
 }

@@ -35,7 +35,7 @@ WallOverlap deepest_overlap(const Walls& walls, const sc_body_shape& body, const
   for_each_face_near(walls, centre, body.radius, [&](std::size_t face, const sc_wall_gap&) {
     if (!walls.pose_of(face).present) return;
     sc_body_gap gaps[SC_FRUSTUM_GAPS];
-    const int count = body_to_wall(walls.faces[face], walls.pose_of(face), body, centre, gaps);
+    const int count = body_to_wall(walls.faces[face], walls.pose_of(face), body, centre, body.radius, gaps);
     for (int k = 0; k < count; ++k)
       if (gaps[k].overlap > deepest.depth) deepest = {gaps[k].overlap, face};
   });

@@ -3,13 +3,13 @@
 namespace scree {
 
 sc_shape_touch touch_shapes(const sc_body_shape& first, const sc_body_shape& second, const sc_vec& branch, bool warm,
-                            const sc_growth_point& start) {
-  return sc_touch_shapes(first, second, branch, warm, start);
+                            const sc_growth_point& start, double limit) {
+  return sc_touch_shapes_within(first, second, branch, limit, warm, start);
 }
 
 int body_to_wall(const sc_wall& wall, const sc_wall_pose& pose, const sc_body_shape& body, const sc_vec& centre,
-                 sc_body_gap gaps[SC_FRUSTUM_GAPS]) {
-  return sc_body_to_wall(wall, pose, body, centre, gaps);
+                 double reach, sc_body_gap gaps[SC_FRUSTUM_GAPS]) {
+  return sc_body_to_wall(wall, pose, body, centre, reach, gaps);
 }
 
 }  // namespace scree

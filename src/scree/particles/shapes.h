@@ -25,11 +25,11 @@ inline sc_body_shape body_shape(const Particles& particles, std::size_t i, const
           sc_quat_mat(orientation_of(particles, i))};
 }
 
-/// sc_touch_shapes and sc_body_to_wall as functions that are called: the search is long, and only the pass over the
-/// contacts asks so often that it is worth having in place.
+/// sc_touch_shapes_within and sc_body_to_wall as functions that are called: the search is long, and only the pass over
+/// the contacts asks so often that it is worth having in place.
 sc_shape_touch touch_shapes(const sc_body_shape& first, const sc_body_shape& second, const sc_vec& branch, bool warm,
-                            const sc_growth_point& start);
+                            const sc_growth_point& start, double limit = 1);
 int body_to_wall(const sc_wall& wall, const sc_wall_pose& pose, const sc_body_shape& body, const sc_vec& centre,
-                 sc_body_gap gaps[SC_FRUSTUM_GAPS]);
+                 double reach, sc_body_gap gaps[SC_FRUSTUM_GAPS]);
 
 }  // namespace scree

@@ -60,7 +60,7 @@ inline sc_vec branch_of_candidate(const SweepView& v, std::int64_t c) {
     const int l = __builtin_ctz(ends);
     ShapeSearch search;
     begin_contact(v, s.which[l], branch_of_candidate(v, s.which[l]), search, findings);
-    prepare_growth(search);
+    prepare_growth(v, search);
     finish_contact(v, search, sc_growth_resolve(search.growth, 1, lane_search(b, l)), findings);
   }
 }
@@ -87,7 +87,7 @@ inline void queue_contact(const SweepView& v, std::int64_t c, ShapeQueues& queue
   ShapeSearch& search = queues.search[kind][queues.waiting[kind]];
   if (!begin_contact(v, c, branch, search, findings)) return;
   if (v.shapes.vertices) return contact_by_vertices(v, search, findings);
-  prepare_growth(search);
+  prepare_growth(v, search);
   if (sc_growth_is_concentric(search.growth))
     return finish_contact(v, search, sc_growth_concentric(search.growth), findings);
   if (++queues.waiting[kind] == growth_lanes) run_queue(v, queues, kind, findings);

@@ -13,7 +13,7 @@ struct alignas(64) ShapeLanes {
   std::int32_t which[growth_lanes];
   GrowthLane turn_a[4], turn_b[4], radius_a, axes_a[3], axes_b[3], branch[4], start[4];
   GrowthLane owner_is_a, reach[4];  // 1 or 0; l and R*
-  GrowthLane speed_i[4], speed_j[4], spin_i[4], spin_j[4], slide[4], slid, excess, smaller;
+  GrowthLane speed_i[4], speed_j[4], spin_i[4], spin_j[4], slide[4], slid, smaller;
   std::int32_t law[growth_lanes];
   // results
   GrowthLane force[4], torque_i[4], torque_j[4], touching, depth;
@@ -67,7 +67,6 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
     spin_j[l] = load4(v.spin + 4 * j);
     slide[l] = load4(v.slide + 4 * c);
     s.slid[l] = v.active[c] >> 1;
-    s.excess[l] = v.effect_excess[i] + v.effect_excess[j];
     s.smaller[l] = SC_MIN(v.shapes.inertia[4 * i + 3], v.shapes.inertia[4 * j + 3]);
     s.law[l] = v.material[i] * v.materials + v.material[j];
     set_forms(v, s, b, l, a, o);
@@ -102,6 +101,7 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
   keep_vec(b.turn + 6, i, turn.z);
   keep_vec(b.branch, i, branch);
   b.rounding[i] = sc_growth_rounding(scale_a, scale_b, branch);
+  b.limit[i] = R(1);
   keep_search(b, i, sc_growth_search_from({lane_vec(s.start, i), s.start[3][i]}));
 }
 
@@ -122,8 +122,8 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
   place.arm_b = sc_choose_vec(from_owner, found.arm_second, found.arm);
   place.radius = s.reach[1][i];
   const sc_pair_law law = sc_law_of_growth(table[s.law[i]], sc_growth_ratio(s.reach[0][i], found));
-  const sc_touch touch =
-      sc_touch_at(place, lane_side(s.speed_i, s.spin_i, i), lane_side(s.speed_j, s.spin_j, i), s.excess[i]);
+  // There are lanes for laws without cohesion only.
+  const sc_touch touch = sc_touch_at(place, lane_side(s.speed_i, s.spin_i, i), lane_side(s.speed_j, s.spin_j, i), R(0));
   sc_contact_state before;
   before.slide = lane_vec(s.slide, i);
   before.approach = s.slide[3][i];

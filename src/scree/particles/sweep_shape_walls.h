@@ -89,6 +89,10 @@ inline void put_memory(const SweepView& v, std::int32_t w, PlaceMemory& m) {
     if (old[m].active) put_memory(v, begin + k++, old[m]);
 }
 
+inline const sc_pair_law& law_at_wall(const AmongWalls& a, std::int32_t w) {
+  return a.v.law[a.v.material[a.p] * a.v.materials + a.face(w).material];
+}
+
 /// Finds how the body meets the face that has the places from w on; returns how many they are.
 [[gnu::noinline]] int find_places(const AmongWalls& a, std::int32_t w, const sc_body_shape& body) {
   const SweepView& v = a.v;
@@ -97,7 +101,9 @@ inline void put_memory(const SweepView& v, std::int32_t w, PlaceMemory& m) {
   bool near = body.radius + v.margin > sc_gap_to_wall(a.face(w), a.pose(w), centre).distance;
   for (int k = 0; k < places; ++k) near |= v.walls.active[w + k] != 0;
   sc_body_gap gaps[SC_FRUSTUM_GAPS];
-  const int count = near ? sc_body_to_wall(a.face(w), a.pose(w), body, centre, gaps) : 0;
+  const double reach =
+      near ? sc_reach_at_wall(v.laws, law_at_wall(a, w), body, v.shapes.inertia[4 * a.p + 3], v.effect_excess[a.p]) : 0;
+  const int count = near ? sc_body_to_wall(a.face(w), a.pose(w), body, centre, reach, gaps) : 0;
   if (v.shapes.vertices)
     for (int k = 0; k < count; ++k)
       if (gaps[k].plain) gaps[k] = gap_by_vertices(v.shapes.vertices[v.shapes.form[a.p]], body, gaps[k]);
@@ -135,9 +141,9 @@ inline void keep_place(const AmongWalls& a, std::int32_t w, const sc_vec& arm, c
   const sc_vec at = sc_add(vec_of(v.motion + 8 * a.p), place.arm_a);
   const sc_vec arm = sc_sub(at, a.pose(w).place);
   const sc_body_side wall = side_of_wall(a.pose(w), arm, place.normal);
-  const sc_touch touch = sc_touch_at(place, side_at(v, a.p), wall, v.effect_excess[a.p]);
-  const sc_pair_law law =
-      sc_law_of_growth(v.law[v.material[a.p] * v.materials + a.face(w).material], sc_wall_ratio(gap, memory));
+  const double ratio = sc_wall_ratio(gap, memory);
+  const sc_touch touch = sc_touch_at(place, side_at(v, a.p), wall, v.effect_excess[a.p] / ratio);
+  const sc_pair_law law = sc_law_of_growth(law_at_wall(a, w), ratio);
   const sc_contact_state before = wall_state(v, w);
   if (!a.pose(w).present) return lose_wall(a, w, v.laws, law, touch, before);
   const sc_contact_result r = sc_contact_act(v.laws, law, touch, v.time, before);

@@ -75,6 +75,8 @@ inline void keep_shape_memory(double* to, const sc_shape_memory& m) {
 struct ShapeMeeting {
   sc_contact_place place;
   sc_pair_law law;
+  double excess;           // of the effect surfaces, as the law takes it [m]
+  bool in_reach;           // it may act
   sc_shape_memory memory;  // if it goes on
   double apart_until;      // way of both surfaces up to which they are apart
 };
@@ -146,20 +148,25 @@ inline const sc_pair_law& law_of_materials(const SweepView& v, const ShapePair& 
   return v.law[v.material[pair.i] * v.materials + v.material[pair.j]];
 }
 
+/// By how much the effect surfaces of both exceed the bodies [m].
+inline double excess_of(const SweepView& v, const ShapePair& pair) {
+  return v.effect_excess[pair.i] + v.effect_excess[pair.j];
+}
+
 inline double* slot_at(const SweepView& v, std::int64_t c) { return v.slots + shape_slot * std::int64_t{v.slot[c]}; }
 
 /// Evaluates the laws, fills the slot and keeps what the pair remembers.
 inline void act_as_meeting(const SweepView& v, std::int64_t c, const ShapePair& pair, const ShapeMeeting& m,
                            SweepFindings& findings) {
   *pair.apart = 0;
-  const bool acts = m.place.overlap + v.margin > 0 || v.active[c];
+  const bool acts = (m.in_reach && m.place.overlap + v.margin > 0) || v.active[c];
   mark_slot(v, c, acts);
   if (!acts) {
     *pair.apart = m.apart_until;
     return;
   }
   const sc_body_side a = side_at(v, pair.i), b = side_at(v, pair.j);
-  const sc_touch touch = sc_touch_at(m.place, a, b, v.effect_excess[pair.i] + v.effect_excess[pair.j]);
+  const sc_touch touch = sc_touch_at(m.place, a, b, m.excess);
   const sc_contact_result r = sc_contact_act(v.laws, m.law, touch, v.time, shape_state(v, c));
   fill_shape_slot(slot_at(v, c), m.place, r.action);
   const double smaller = SC_MIN(v.shapes.inertia[4 * pair.i + 3], v.shapes.inertia[4 * pair.j + 3]);
@@ -183,7 +190,7 @@ inline bool begin_contact(const SweepView& v, std::int64_t c, const sc_vec& bran
   }
   if (is_sphere(v, pair.i) && is_sphere(v, pair.j)) {
     const sc_contact_place place = sc_place_of_spheres(branch, radius_i, radius_j);
-    act_as_meeting(v, c, pair, {place, law_of_materials(v, pair), {}, 0}, findings);
+    act_as_meeting(v, c, pair, {place, law_of_materials(v, pair), excess_of(v, pair), true, {}, 0}, findings);
     return false;
   }
   out.c = c;
@@ -199,7 +206,10 @@ inline bool begin_contact(const SweepView& v, std::int64_t c, const sc_vec& bran
 inline sc_vec branch_between(const ShapeSearch& s) { return sc_scale(s.pair.owner_first ? 1 : -1, s.branch); }
 
 /// What the search for the growth distance needs.
-inline void prepare_growth(ShapeSearch& s) { s.growth = sc_pair_of_shapes(s.first, s.second, branch_between(s)); }
+inline void prepare_growth(const SweepView& v, ShapeSearch& s) {
+  s.growth = sc_pair_of_shapes(s.first, s.second, branch_between(s));
+  s.growth.limit = sc_growth_limit(v.laws, s.first, s.second, s.acted, excess_of(v, s.pair));
+}
 
 /// Where the search begins: where it ended in the step before, for bodies that touched then.
 inline sc_growth_point start_of(const ShapeSearch& s) {
@@ -211,7 +221,8 @@ inline ShapeMeeting meeting_of(const SweepView& v, const ShapeSearch& s, const s
   sc_shape_memory memory = shape_memory(s.pair.memory);
   ShapeMeeting m;
   m.apart_until = apart_until(v, s.pair, branch_between(s), gap);
-  if (found.verdict == SC_GROWTH_TOUCHING && !s.acted) {
+  m.in_reach = found.verdict == SC_GROWTH_TOUCHING;
+  if (m.in_reach && !s.acted) {
     const double* inertia = v.shapes.inertia;
     memory = sc_shapes_meet(s.first, s.second, found, inertia[4 * s.pair.i + 3], inertia[4 * s.pair.j + 3]);
   }
@@ -220,7 +231,9 @@ inline ShapeMeeting meeting_of(const SweepView& v, const ShapeSearch& s, const s
   m.memory = memory;
   m.memory.start = found.start;
   m.place = sc_place_of_shapes(sc_shape_touch_from(found, s.pair.owner_first), memory.radius);
-  m.law = sc_law_of_growth(law_of_materials(v, s.pair), sc_growth_ratio(memory.reach, found));
+  const double ratio = sc_growth_ratio(memory.reach, found);
+  m.law = sc_law_of_growth(law_of_materials(v, s.pair), ratio);
+  m.excess = excess_of(v, s.pair) / ratio;
   return m;
 }
 
@@ -228,7 +241,7 @@ inline ShapeMeeting meeting_of(const SweepView& v, const ShapeSearch& s, const s
                                       SweepFindings& findings) {
   const sc_vec branch = branch_between(s);
   const sc_shape_touch found = sc_shape_touch_of(s.first, s.second, branch, ended);
-  const bool touching = found.verdict == SC_GROWTH_TOUCHING;
+  const bool touching = found.verdict == SC_GROWTH_TOUCHING && found.overlap > 0;
   const double gap = touching ? 0 : sc_shapes_gap(s.first, s.second, branch, found.normal);
   act_as_meeting(v, s.c, s.pair, meeting_of(v, s, found, gap), findings);
 }
@@ -251,7 +264,7 @@ inline ShapeMeeting meeting_of(const SweepView& v, const ShapeSearch& s, const s
   ShapeSearch s;
   if (!begin_contact(v, c, branch, s, findings)) return;
   if (v.shapes.vertices) return contact_by_vertices(v, s, findings);
-  prepare_growth(s);
+  prepare_growth(v, s);
   const sc_growth_point start = s.acted ? start_of(s) : sc_growth_point{};
   finish_contact(v, s, sc_growth_solve(s.growth, s.acted, start), findings);
 }

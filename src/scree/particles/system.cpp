@@ -7,7 +7,7 @@
 #include "scree/particles/audit.h"
 #include "scree/particles/neighbours.h"
 #include "scree/particles/vertex_views.h"
-#include "scree/physics/contact/cohesion/jkr.h"
+#include "scree/physics/touch/shape_contact.h"
 
 namespace scree {
 namespace {
@@ -30,15 +30,31 @@ double largest_effect_excess(const Particles& p) {
   return largest;
 }
 
-/// How far a JKR neck may be drawn out, for the largest bodies of the system [m].
+/// The largest effective radius of a contact. Against a wall that of a sphere is its own.
+double largest_contact_radius(const ParticleSystem& s) {
+  double largest = largest_radius(s.particles);
+  if (!s.particles.shaped()) return largest;
+  for (std::size_t i = 0; i < s.particles.size(); ++i)
+    largest = std::max(largest, sc_largest_contact_radius(s.particles.radius_by_volume(i)));
+  return largest;
+}
+
+/// How far a JKR neck may be drawn out [m].
 double longest_neck(const ParticleSystem& s) {
   if (s.laws.cohesion != SC_COHESION_JKR) return 0;
-  // Against a wall the effective radius is that of the particle.
-  const double radius = largest_radius(s.particles);
+  const double radius = largest_contact_radius(s);
   double longest = 0;
-  for (const sc_pair_law& law : s.materials.law)
-    if (law.adhesion > 0) longest = std::max(longest, -sc_jkr_scales(law, radius).broken);
+  for (const sc_pair_law& law : s.materials.law) longest = std::max(longest, sc_longest_neck(s.laws, law, radius));
   return longest;
+}
+
+/// How far apart two shapes may be over how far their overlap is below zero. A gap g makes the growth distance at least
+/// 1 + g/(R_A + R_B) with the bounding radii, and the overlap goes with that times the support of both bodies along
+/// some direction, which is no less than the sum of the radii of the spheres inside.
+double gap_over_overlap(const ParticleSystem& s) {
+  double most = 1;
+  for (const Form& form : s.forms) most = std::max(most, 1 / form.shape.inscribed);
+  return (1 + 1e-9) * most;
 }
 
 double greatest_travel(const Particles& p, const Domain& domain, const Buffer<double>& from) {
@@ -93,8 +109,10 @@ void make_lists(ParticleSystem& s, ContactLists& lists, const Team& team, const 
   p.permute(order);
   const std::size_t n = p.size();
   for (std::size_t i = 0; i < n; ++i) place[order[i]] = static_cast<std::int32_t>(i);
-  // Searches look from effect surface to effect surface; necks, which know nothing of these, reach beyond.
-  const double reach = lists.skin + longest_neck(s);
+  // Searches look from effect surface to effect surface; necks, which know nothing of these, reach beyond, and so does
+  // what acts between shapes.
+  const double between_effects = s.laws.cohesion == SC_COHESION_LINEAR ? 2 * largest_effect_excess(p) : 0;
+  const double reach = lists.skin + (reach_beyond_bodies(s) - between_effects);
   s.contacts = carry_over(find_candidates(p, s.domain, reach), s.contacts, place);
   WallContacts walls = find_wall_contacts(p, s.walls, reach);
   carry_over(walls, s.wall_contacts, place);
@@ -124,7 +142,9 @@ double fastest_square(const Particles& p) {
 }
 
 double reach_beyond_bodies(const ParticleSystem& s) {
-  return s.laws.cohesion == SC_COHESION_LINEAR ? 2 * largest_effect_excess(s.particles) : longest_neck(s);
+  const double overlap =
+      s.laws.cohesion == SC_COHESION_LINEAR ? 2 * largest_effect_excess(s.particles) : longest_neck(s);
+  return s.particles.shaped() ? gap_over_overlap(s) * overlap : overlap;
 }
 
 std::size_t slot_size(const ParticleSystem& s) { return s.particles.shaped() ? shape_slot : sphere_slot; }

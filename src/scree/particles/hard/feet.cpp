@@ -66,7 +66,7 @@ sc_body_gap gap_of_tilted(const Patch& p, const sc_body_shape& body, sc_vec cent
     if (face == last || p.s.walls.faces[face].body != own.body) continue;
     last = face;
     sc_body_gap gaps[SC_FRUSTUM_GAPS];
-    const int count = body_to_wall(p.s.walls.faces[face], p.s.walls.pose_of(face), body, centre, gaps);
+    const int count = body_to_wall(p.s.walls.faces[face], p.s.walls.pose_of(face), body, centre, body.radius, gaps);
     for (int k = 0; k < count; ++k)
       if (sc_dot(gaps[k].normal, p.normal) > same_side && (best.support == 0 || gaps[k].growth < best.growth))
         best = gaps[k];

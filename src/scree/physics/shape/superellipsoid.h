@@ -17,8 +17,18 @@ typedef struct {
   sc_vec inverse_axes;  // their inverses
   sc_exponents gauge;   // n2 (inner) and n1 (outer)
   sc_exponents support;
+  real inscribed;  // radius of a sphere inside, over the bounding radius
   int is_sphere;
 } sc_form;
+
+/// Radius of a sphere inside a superellipsoid about its centre, in the unit of the half axes. The support function is a
+/// q-norm of the direction times the half axes, and with q = 2/(2 - e) a q-norm of two numbers is no less than their
+/// 2-norm, or where e > 1 than 2^((1 - e)/2) times that.
+SC_FN real sc_inscribed_radius(sc_vec axes, real e1, real e2) {
+  const real half_log_2 = R(0.34657359027997265);
+  const real pointed = SC_MAX(e1 - R(1), R(0)) + SC_MAX(e2 - R(1), R(0));
+  return SC_MIN(SC_MIN(axes.x, axes.y), axes.z) * sc_exp(-half_log_2 * pointed);
+}
 
 /// A form with half axes as they are given (over the bounding radius) and the exponents e1 (along z) and e2 (in the
 /// plane of x and y), between 0.1 and 1.9.
@@ -30,6 +40,7 @@ SC_FN sc_form sc_make_form(sc_vec axes, real e1, real e2) {
   form.gauge.outer = sc_make_exponent(R(2) / e1);
   form.support.inner = sc_make_exponent(R(2) / (R(2) - e2));
   form.support.outer = sc_make_exponent(R(2) / (R(2) - e1));
+  form.inscribed = sc_inscribed_radius(axes, e1, e2);
   form.is_sphere = (e1 == R(1)) & (e2 == R(1)) & (axes.x == axes.y) & (axes.y == axes.z);
   return form;
 }

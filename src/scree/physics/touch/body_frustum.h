@@ -196,13 +196,14 @@ SC_FN int sc_keep_gap(sc_body_shape body, sc_body_gap gap, sc_body_gap* gaps, in
 }
 
 /// The places of contact with a frustum whose centres are given from the centre of the body, least growth first;
-/// returns how many there are (at most SC_FRUSTUM_GAPS, which `gaps` has room for). Of one out of reach any is given.
-SC_FN int sc_body_frustum(sc_body_shape body, sc_frustum frustum, sc_body_gap* gaps) {
+/// returns how many there are (at most SC_FRUSTUM_GAPS, which `gaps` has room for). Of one out of reach any is given;
+/// `reach`: bounding radius of the body when it has grown as far as matters [m].
+SC_FN int sc_body_frustum(sc_body_shape body, sc_frustum frustum, real reach, sc_body_gap* gaps) {
   if (frustum.length == R(0)) {
     gaps[0] = sc_body_ring(body, frustum);
     if (gaps[0].growth < R(1e30)) return 1;
   }
-  const sc_frustum_view view = sc_view_frustum(frustum, body.radius);
+  const sc_frustum_view view = sc_view_frustum(frustum, reach);
   const int angles = SC_FRUSTUM_ANGLES;
   real growth[SC_FRUSTUM_ANGLES];
   int least = 0;

@@ -64,8 +64,9 @@ SC_FN int sc_flat_faces(sc_wall wall, sc_vec centre, sc_flat_face* faces) {
   return count;
 }
 
-/// The places of contact of a body and a face where its wall is at home, least growth first; returns how many.
-SC_FN int sc_body_at_wall(sc_wall wall, sc_body_shape body, sc_vec centre, sc_body_gap* gaps) {
+/// The places of contact of a body and a face where its wall is at home, least growth first; returns how many. `reach`:
+/// bounding radius of the body when it has grown as far as matters [m].
+SC_FN int sc_body_at_wall(sc_wall wall, sc_body_shape body, sc_vec centre, real reach, sc_body_gap* gaps) {
   if (wall.kind == SC_WALL_FRUSTUM) {
     sc_frustum f;
     f.start = sc_sub(wall.a, centre);
@@ -73,7 +74,7 @@ SC_FN int sc_body_at_wall(sc_wall wall, sc_body_shape body, sc_vec centre, sc_bo
     f.length = wall.length;
     f.start_radius = wall.start_radius;
     f.end_radius = wall.end_radius;
-    return sc_body_frustum(body, f, gaps);
+    return sc_body_frustum(body, f, reach, gaps);
   }
   sc_flat_face faces[3];
   const int count = wall.kind == SC_WALL_PLANE ? 0 : sc_flat_faces(wall, centre, faces);
@@ -93,10 +94,11 @@ SC_FN int sc_body_at_wall(sc_wall wall, sc_body_shape body, sc_vec centre, sc_bo
 }
 
 /// The same wherever the wall is.
-SC_FN int sc_body_to_wall(sc_wall wall, sc_wall_pose pose, sc_body_shape body, sc_vec centre, sc_body_gap* gaps) {
+SC_FN int sc_body_to_wall(sc_wall wall, sc_wall_pose pose, sc_body_shape body, sc_vec centre, real reach,
+                          sc_body_gap* gaps) {
   sc_body_shape seen = body;
   if (pose.moves) seen.turn = sc_turn_between(pose.turn, body.turn);
-  const int count = sc_body_at_wall(wall, seen, sc_from_wall(pose, centre), gaps);
+  const int count = sc_body_at_wall(wall, seen, sc_from_wall(pose, centre), reach, gaps);
   for (int k = 0; k < count && pose.moves; ++k) {
     gaps[k].normal = sc_turn(pose.turn, gaps[k].normal);
     gaps[k].arm = sc_turn(pose.turn, gaps[k].arm);

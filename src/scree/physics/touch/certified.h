@@ -44,8 +44,8 @@ SC_FN sc_growth_touch sc_growth_touch_of(sc_growth_search s) {
 SC_FN sc_growth_touch sc_growth_touch_of_portal(sc_growth_pair p, const sc_portal* portal, real low, real high) {
   const real inverse = R(1) / sc_norm(portal->best);
   sc_growth_touch out;
-  const int touching = high < R(1) - p.rounding;
-  const int verdict = (int)sc_growth_judge(low, high, p.rounding).verdict;
+  const int touching = high < p.limit - p.rounding;
+  const int verdict = (int)sc_growth_judge(low, high, p.limit, p.rounding).verdict;
   out.verdict = verdict != SC_GROWTH_OPEN ? verdict : (touching ? SC_GROWTH_TOUCHING : SC_GROWTH_GRAZING);
   out.low = low;
   out.high = high;
@@ -65,7 +65,7 @@ SC_FN sc_growth_touch sc_growth_by_portal(sc_growth_pair p, real low, real high)
     low = SC_MAX(low, portal.low);
     const real bound = sc_grow(p, sc_portal_point(&portal)).high;
     high = SC_MIN(high, bound);
-    const int verdict = (int)sc_growth_judge(low, high, p.rounding).verdict;
+    const int verdict = (int)sc_growth_judge(low, high, p.limit, p.rounding).verdict;
     if (verdict == SC_GROWTH_APART || verdict == SC_GROWTH_GRAZING) break;
     if (changed && sc_portal_high(&portal) - portal.low > width * portal.low) continue;
     width = R(1e-2) * width;

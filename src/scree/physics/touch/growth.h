@@ -28,10 +28,12 @@ typedef struct {
   sc_vec branch;  // from the centre of A to that of B [m]
   real radius_b;  // bounding radius of B [m]
   real rounding;  // what rounding may do to a gauge
+  real limit;     // growth distance up to which it matters how they meet: 1, or more where bodies apart act
 } sc_growth_pair;
 
 /// What is known of a pair: nothing yet; they touch, and the point is good enough for a force; they are apart; they
-/// neither touch nor are they apart within 1e-12 of their size, which counts as apart.
+/// neither touch nor are they apart within 1e-12 of their size, which counts as apart. Where the limit is above 1,
+/// bodies "touch" up to there.
 enum { SC_GROWTH_OPEN = 0, SC_GROWTH_TOUCHING = 1, SC_GROWTH_APART = 2, SC_GROWTH_GRAZING = 3 };
 
 /// Width of the bracket, as a part of it, that a force needs: the normal is then as exact, and the growth distance to
@@ -39,6 +41,8 @@ enum { SC_GROWTH_OPEN = 0, SC_GROWTH_TOUCHING = 1, SC_GROWTH_APART = 2, SC_GROWT
 #define SC_GROWTH_WIDTH R(1e-9)
 /// Width at which the bodies count as grazing.
 #define SC_GROWTH_GRAZE R(1e-12)
+/// A limit that no bodies come to: they are followed wherever they are.
+#define SC_GROWTH_ANY R(1e30)
 
 /// Where the solver is: a point from the centre of A, in the frame of A, and the weight of B.
 typedef struct {
@@ -150,6 +154,7 @@ SC_FN sc_growth_pair sc_make_growth_pair(sc_form a, real radius_a, sc_form b, re
   p.branch = branch;
   p.radius_b = radius_b;
   p.rounding = sc_growth_rounding(p.scale_a, p.scale_b, branch);
+  p.limit = R(1);
   return p;
 }
 
@@ -160,11 +165,11 @@ typedef struct {
   real verdict;
 } sc_growth_judgement;
 
-SC_FN sc_growth_judgement sc_growth_judge(real low, real high, real rounding) {
+SC_FN sc_growth_judgement sc_growth_judge(real low, real high, real limit, real rounding) {
   const real width = high - low;
-  const int apart = low > R(1) + rounding;
+  const int apart = low > limit + rounding;
   const int grazing = width < SC_GROWTH_GRAZE;
-  const int touching = (high < R(1) - rounding) & ((width < SC_GROWTH_WIDTH * high) | grazing);
+  const int touching = (high < limit - rounding) & ((width < SC_GROWTH_WIDTH * high) | grazing);
   sc_growth_judgement out;
   out.decided = apart | touching | grazing;
   out.verdict = grazing ? R(SC_GROWTH_GRAZING) : R(SC_GROWTH_OPEN);
@@ -208,7 +213,7 @@ SC_FN sc_growth_search sc_growth_advance(sc_growth_pair p, sc_growth_search s) {
   const sc_growth_look look = sc_grow(p, s.at);
   const int open = s.verdict == R(SC_GROWTH_OPEN);
   const real low = SC_MAX(s.low, look.low), high = SC_MIN(s.high, look.high);
-  const sc_growth_judgement judgement = sc_growth_judge(low, high, p.rounding);
+  const sc_growth_judgement judgement = sc_growth_judge(low, high, p.limit, p.rounding);
   // The point that the verdict was found at is kept.
   const int moves = open & !judgement.decided;
   const int good = moves & ((look.misfit < (R(1) - R(1e-4) * s.fraction) * s.misfit) | (s.fraction < R(1e-3)));

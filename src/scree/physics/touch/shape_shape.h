@@ -71,11 +71,19 @@ SC_FN sc_shape_touch sc_shape_touch_of(sc_body_shape first, sc_body_shape second
   return sc_shape_touch_from(sc_touch_in_world(turn, d, found), !reversed);
 }
 
-/// How two bodies meet; `warm` says that `start` is where the last solve ended.
+/// How two bodies meet, where it matters up to a growth distance of `limit`; `warm` says that `start` is where the last
+/// solve ended.
+SC_FN sc_shape_touch sc_touch_shapes_within(sc_body_shape first, sc_body_shape second, sc_vec branch, real limit,
+                                            int warm, sc_growth_point start) {
+  sc_growth_pair pair = sc_pair_of_shapes(first, second, branch);
+  pair.limit = limit;
+  return sc_shape_touch_of(first, second, branch, sc_growth_solve(pair, warm, start));
+}
+
+/// How two bodies meet, where it matters whether they overlap.
 SC_FN sc_shape_touch sc_touch_shapes(sc_body_shape first, sc_body_shape second, sc_vec branch, int warm,
                                      sc_growth_point start) {
-  const sc_growth_pair pair = sc_pair_of_shapes(first, second, branch);
-  return sc_shape_touch_of(first, second, branch, sc_growth_solve(pair, warm, start));
+  return sc_touch_shapes_within(first, second, branch, R(1), warm, start);
 }
 
 #endif
