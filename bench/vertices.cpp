@@ -114,7 +114,7 @@ void print_geometry(const Shape& s, double depth, int count) {
       const VertexBlocks blocks = blocks_of(surface_vertices(form, side, spacing));
       const VertexView view = view_of(blocks);
       print_row(fmt::format("{} | {} x {} {}", s.name, side, side, word), pairs, size,
-                [&](const Pair& p) { return touch_by_vertices(view, p.a, view, p.b, p.branch, true); });
+                [&](const Pair& p) { return touch_by_vertices(view, p.a, view, p.b, p.branch, sc_zero_vec()); });
     }
   print_row(fmt::format("{} | certified", s.name), pairs, size,
             [&](const Pair& p) { return sc_touch_shapes(p.a, p.b, p.branch, 0, {}); });

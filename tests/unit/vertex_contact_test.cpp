@@ -34,8 +34,8 @@ struct Body {
   sc_vec place(const SurfaceVertex& v) const { return sc_turn(shape.turn, sc_scale(shape.radius, v.point)); }
 };
 
-sc_shape_touch touch(const Body& a, const Body& b, const sc_vec& branch, bool acted = true) {
-  return touch_by_vertices(a.view(), a.shape, b.view(), b.shape, branch, acted);
+sc_shape_touch touch(const Body& a, const Body& b, const sc_vec& branch, const sc_vec& parting = sc_zero_vec()) {
+  return touch_by_vertices(a.view(), a.shape, b.view(), b.shape, branch, parting);
 }
 
 /// The branch that makes two bodies overlap by `depth` along a random direction, and that direction.
@@ -91,8 +91,9 @@ TEST(VertexContact, FindsWhatPlainLoopsFind) {
         const Body a(sa, 1, any_turn(random)), b(sb, i % 2 ? .4 : 1.3, any_turn(random));
         const Placed p = placed(a, b, .1 * i, random);
         const Plain pa = plain(a, b, p.branch), pb = plain(b, a, sc_scale(-1, p.branch));
-        const sc_shape_touch found = touch(a, b, p.branch), fresh = touch(a, b, p.branch, false);
-        // To look for a plane between them first changes nothing.
+        const sc_vec parting = i == 3 ? pairs::narrow(pairs::any_direction(random)) : p.normal;
+        const sc_shape_touch found = touch(a, b, p.branch), fresh = touch(a, b, p.branch, parting);
+        // The direction along which they are looked at first changes nothing.
         EXPECT_EQ(found.verdict == SC_GROWTH_TOUCHING, fresh.verdict == SC_GROWTH_TOUCHING);
         if (found.verdict == SC_GROWTH_TOUCHING) {
           EXPECT_EQ(found.overlap, fresh.overlap);
@@ -134,21 +135,45 @@ TEST(VertexContact, ExchangeOfTheBodiesChangesNoBits) {
     }
 }
 
-TEST(VertexContact, BodiesApartAreKnownToBe) {
+/// The body turned by an angle about a random axis.
+sc_mat turned(const sc_mat& m, double angle, std::mt19937_64& random) {
+  const sc_vec n = pairs::narrow(pairs::any_direction(random));
+  const sc_mat r = sc_rotation(n, std::cos(angle), std::sin(angle));
+  return {sc_turn_back(m, r.x), sc_turn_back(m, r.y), sc_turn_back(m, r.z)};
+}
+
+// Bodies that are apart, and such as overlap where they have no vertices. Surfaces go the way that is said to be free:
+// the centres come together, or anywhere, and both bodies turn.
+TEST(VertexContact, NoneBeforeTheSurfacesHaveGoneTheFreeWay) {
   std::mt19937_64 random(3);
-  int known = 0, all = 0;
+  int free_ways = 0, all = 0, met = 0;
   for (const Form& fa : all_forms())
-    for (const Form& fb : all_forms()) {
-      const Surface sa(fa, 10), sb(fb, 10);
-      const Body a(sa, 1, any_turn(random)), b(sb, .7, any_turn(random));
-      const Placed p = placed(a, b, -.1, random);
-      const sc_shape_touch found = touch(a, b, p.branch, false);
-      EXPECT_NE(found.verdict, SC_GROWTH_TOUCHING);
-      EXPECT_LE(-found.overlap, .1 + 1e-12);
-      known += found.verdict == SC_GROWTH_APART;
-      ++all;
-    }
-  EXPECT_GT(known, all / 2);
+    for (const Form& fb : all_forms())
+      for (int i = 0; i < 24; ++i) {
+        const Surface sa(fa, 12), sb(fb, 13);
+        Body a(sa, 1, any_turn(random)), b(sb, i % 2 ? .4 : 1.3, any_turn(random));
+        const double depth = i < 4 ? -.1 : .002 * i;
+        const Placed p = placed(a, b, depth, random);
+        const sc_shape_touch found = touch(a, b, p.branch);
+        if (found.verdict == SC_GROWTH_TOUCHING) continue;
+        ++all;
+        free_ways += -found.overlap > 1e-4;
+        for (const double share : {.999, 20.0}) {
+          const double way = -share * found.overlap, turn = i % 3 ? way / 3 : 0;
+          const sc_vec to = i % 4 ? sc_scale(-1, p.normal) : pairs::narrow(pairs::any_direction(random));
+          const Body near_a(sa, 1, turned(a.shape.turn, turn, random)),
+              near_b(sb, b.shape.radius, turned(b.shape.turn, turn / b.shape.radius, random));
+          const sc_vec branch = sc_add_scaled(p.branch, way - 2 * turn, to);
+          const bool touches =
+              plain(near_a, near_b, branch).count > 0 && plain(near_b, near_a, sc_scale(-1, branch)).count > 0;
+          if (share < 1) {
+            EXPECT_FALSE(touches);
+          }
+          met += touches;
+        }
+      }
+  EXPECT_GT(free_ways, .9 * all);
+  EXPECT_GT(met, all / 20);
 }
 
 /// Errors of depth (over the true one), of the normal [rad] and of the place along it (over the depth), as root mean

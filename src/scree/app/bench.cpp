@@ -41,10 +41,12 @@ void check_names(const std::vector<std::string>& names) {
                                                                      : did_you_mean(name, known)));
 }
 
-/// Refuses before the measurements what could not be written after them.
-void check_files(const BenchOptions& options, const std::vector<std::string>& names) {
+/// Refuses before the measurements what they do not go with, and what could not be written after them.
+void check_options(const BenchOptions& options, const std::vector<std::string>& names) {
   if (!options.plot.empty() && std::find(names.begin(), names.end(), "linear") == names.end())
     throw InputError("--plot draws the benchmark 'linear': name it too, as in `scree bench linear --plot linear.png`");
+  if (!options.set.empty() && std::find(names.begin(), names.end(), "linear") != names.end())
+    throw InputError("--set changes scenes, not the benchmark 'linear'");
   if (!options.plot.empty() && fs::path(options.plot).extension() != ".png")
     throw InputError(fmt::format("--plot '{}': the picture is a PNG; give it a name that ends in .png", options.plot));
   for (const std::string& file : {options.json, options.plot}) {
@@ -71,10 +73,12 @@ void measure(const std::string& name, const std::vector<int>& threads, const Ben
   BenchScene scene = bench_scene(name);
   for (std::string& change : make_mesh(name, packings)) scene.changes.push_back(std::move(change));
   for (std::string& change : make_packing(scene, packings)) scene.changes.push_back(std::move(change));
+  scene.changes.insert(scene.changes.end(), options.set.begin(), options.set.end());
   for (const int t : threads) {
     const SceneFigures f = measure_scene(scene, t, rounds);
     fmt::print("{}", scene_text(f));
     figures.push_back(scene_json(f));
+    if (!options.set.empty()) figures.back()["set"] = options.set;
   }
 }
 
@@ -84,7 +88,7 @@ int bench(const BenchOptions& options) {
   const std::vector<std::string> names =
       options.names.empty() ? std::vector<std::string>{"dense", "dilute"} : options.names;
   check_names(names);
-  check_files(options, names);
+  check_options(options, names);
   std::vector<int> threads = {options.threads > 0 ? options.threads : 1};
   if (options.threads == 0 && available_processors() > 1) threads.push_back(available_processors());
   nlohmann::json figures = nlohmann::json::array();

@@ -14,6 +14,7 @@ struct BenchOptions {
   std::int64_t particles = 1000000;  // linear: the largest size
   std::string json;                  // file for the figures; empty: none
   std::string plot;                  // linear: file for the picture (PNG; its figures beside it); empty: none
+  std::vector<std::string> set;      // changes of the scenes, as of load_case(); not of how their particles are made
   std::string packings;  // where the scenes' particles and meshes are kept; empty: the cache directory of the user
 };
 

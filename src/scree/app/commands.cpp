@@ -135,6 +135,8 @@ Command declare_bench(CLI::App& app) {
   add_option(*c, "--threads", "threads [1 and all]", options->threads, read_count);
   add_option(*c, "--rounds", "measurements of which the median counts [5, linear 3]", options->rounds, read_count);
   add_option(*c, "--particles", "linear: the largest size [1000000]", options->particles, read_count);
+  c->add_option("--set", options->set, "change a key of the scenes: --set contact.detection=vertices (may be repeated)")
+      ->allow_extra_args(false);
   c->add_option("--json", options->json, "also write the figures to this file");
   c->add_option("--packings", options->packings, "directory of the particle tables [the user's cache]");
   c->add_option("--plot", options->plot, "linear: draw run time over particles into this PNG");

@@ -94,13 +94,13 @@ sc_shape_touch touch_of_shapes(const ParticleSystem& s, std::size_t c) {
   const sc_body_shape owner = body_shape(s.particles, i, s.forms), partner = body_shape(s.particles, j, s.forms);
   const sc_body_shape &first = owner_first ? owner : partner, &second = owner_first ? partner : owner;
   const sc_vec between = owner_first ? branch : sc_scale(-1, branch);
-  const bool acted = s.contacts.active[c] != 0;
   if (s.vertices) {
     const VertexView of_owner = vertices_of(s, std::size_t(i)), of_partner = vertices_of(s, std::size_t(j));
     return sc_shape_touch_from(touch_by_vertices(owner_first ? of_owner : of_partner, first,
-                                                 owner_first ? of_partner : of_owner, second, between, acted),
+                                                 owner_first ? of_partner : of_owner, second, between, sc_zero_vec()),
                                owner_first);
   }
+  const bool acted = s.contacts.active[c] != 0;
   const double* m = &s.contacts.shape[pair_memory * c];
   const double limit =
       sc_growth_limit(s.laws, first, second, acted, s.particles.effect_excess[i] + s.particles.effect_excess[j]);

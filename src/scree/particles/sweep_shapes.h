@@ -252,8 +252,9 @@ inline ShapeMeeting meeting_of(const SweepView& v, const ShapeSearch& s, const s
   const VertexView* of = v.shapes.vertices;
   const std::int64_t first = s.pair.owner_first ? s.pair.i : s.pair.j,
                      second = s.pair.owner_first ? s.pair.j : s.pair.i;
+  const sc_vec parting = s.acted ? shape_memory(s.pair.memory).start.point : sc_zero_vec();
   const sc_shape_touch found = touch_by_vertices(of[v.shapes.form[first]], s.first, of[v.shapes.form[second]], s.second,
-                                                 branch_between(s), s.acted);
+                                                 branch_between(s), parting);
   const double gap = found.verdict == SC_GROWTH_APART ? -found.overlap : 0;
   act_as_meeting(v, s.c, s.pair, meeting_of(v, s, found, gap), findings);
 }

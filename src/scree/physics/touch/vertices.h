@@ -26,8 +26,8 @@ SC_FN sc_vec sc_normal_of_vertices(sc_vertices_within first, sc_vertices_within 
   return sc_scale(length > R(1e-9) ? R(1) / length : R(0), n);
 }
 
-/// The touch along that normal. `reach_...`: how far the deepest vertex of either lies from the centre of its body, of
-/// the first along the normal, of the second against it [m].
+/// The touch along that normal, which is a good direction to look along next. `reach_...`: how far the deepest vertex
+/// of either lies from the centre of its body, of the first along the normal, of the second against it [m].
 SC_FN sc_shape_touch sc_touch_of_vertices(sc_vertices_within first, sc_vertices_within second, sc_vec branch,
                                           sc_vec normal, real reach_first, real reach_second) {
   sc_shape_touch out;
@@ -38,13 +38,13 @@ SC_FN sc_shape_touch sc_touch_of_vertices(sc_vertices_within first, sc_vertices_
   out.arm = sc_scale(R(0.5), sc_add(sc_add(branch, second.place), first.place));
   out.arm_second = sc_scale(R(0.5), sc_add(sc_sub(first.place, branch), second.place));
   out.low = out.high = R(0);
-  out.start.point = sc_zero_vec();
+  out.start.point = normal;
   out.start.share = R(0);
   return out;
 }
 
-/// Two bodies without a contact: known to be `gap` apart along a direction (unit, from the first to the second) [m], or
-/// 0 where it is only that their vertices tell of none (SC_GROWTH_GRAZING).
+/// Two bodies without a contact: none before their surfaces have gone `gap` [m], or 0 where that is not known
+/// (SC_GROWTH_GRAZING). `direction`: unit, from the first to the second.
 SC_FN sc_shape_touch sc_vertices_apart(sc_vec branch, sc_vec direction, real gap) {
   sc_vertices_within none;
   none.place = none.normal = sc_zero_vec();
@@ -63,6 +63,21 @@ SC_FN sc_vec sc_parting_direction(sc_body_shape first, sc_body_shape second, sc_
   const sc_vec n = sc_sub(sc_scale(R(1) / sc_norm(a), a), sc_scale(R(1) / sc_norm(b), b));
   const real length = sc_norm(n);
   return length > R(1e-9) ? sc_scale(R(1) / length, n) : sc_scale(R(1) / SC_MAX(sc_norm(branch), SC_TINY), branch);
+}
+
+/// A bound from above of the norm (x^m + y^m)^(1/m) of numbers not negative, without powers: 1/m is a mean of two of
+/// 1, 1/2 and 0, and the norm at most that mean of the sum, the root of the squares and the larger (log-convexity, and
+/// geometric means are below arithmetic ones).
+SC_FN real sc_norm_at_most(real x, real y, sc_exponent e) {
+  const real twice = R(2) * e.inverse;
+  return SC_MAX(twice - R(1), R(0)) * (x + y) + SC_MIN(R(2) - twice, twice) * SC_SQRT(x * x + y * y) +
+         SC_MAX(R(1) - twice, R(0)) * SC_MAX(x, y);
+}
+
+/// A bound from above of the support function, by less than an eighth of it, without powers; exact for ellipsoids.
+SC_FN real sc_support_at_most(sc_form form, real radius, sc_vec n) {
+  const real x = SC_FABS(form.axes.x * n.x), y = SC_FABS(form.axes.y * n.y), z = SC_FABS(form.axes.z * n.z);
+  return radius * sc_norm_at_most(sc_norm_at_most(x, y, form.support.inner), z, form.support.outer);
 }
 
 /// The contact with a plane, given the exact one, from the vertices behind it: the deepest, and the mean place.
