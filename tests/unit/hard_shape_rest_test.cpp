@@ -114,7 +114,7 @@ std::string stack_text(int count) {
 }
 
 TEST(HardShapeRest, AStackOfFiveBoxesStands) {
-  Simulation s(case_of(stack_text(5), {"hard.sweeps=300"}), {1});
+  Simulation s(case_of(stack_text(5)), {1});
   EXPECT_LT(creep(s, 300, 300), 1e-6);
   EXPECT_LT(fastest(s), 1e-5);
 }

@@ -14,7 +14,9 @@ const Section& hard_section() {
            "sequential: each pair, then each wall, once, without friction, for comparison")
            .one_of({"coloured", "sequential"}),
        key("sweeps", &S::sweeps,
-           "most visits to each contact in each of the two phases of a step; high stacks come to rest with more")
+           "most visits to each contact in each of the two phases of a step; stacks of more than twenty bodies come to "
+           "rest with "
+           "more")
            .between(1, 1e6),
        key("residual", &S::residual,
            "sweeps for rest end when they correct speeds by less than this share of the fastest approach, those of "

@@ -77,6 +77,7 @@ void remember(ParticleSystem& s, const HardContacts& h) {
       put(&s.wall_contacts.slide[at], 1, c.held);
       put(&s.wall_contacts.roll[at], 1, c.struck);
       s.wall_contacts.slide[at + 3] = c.approach;
+      s.wall_contacts.roll[at + 3] = c.twist;
       s.wall_contacts.active[c.memory] = contact_code(true, c.slid);
       if (s.particles.shaped())
         for (std::size_t k = 0; k < 2; ++k)
@@ -87,6 +88,7 @@ void remember(ParticleSystem& s, const HardContacts& h) {
     put(&s.contacts.slide[at], on_owner, c.held);
     put(&s.contacts.roll[at], on_owner, c.struck);
     s.contacts.slide[at + 3] = c.approach;
+    s.contacts.roll[at + 3] = c.twist;
     s.contacts.active[c.memory] = contact_code(true, c.slid);
     if (s.particles.shaped())
       std::copy_n(c.lean, 2, &s.contacts.shape[pair_memory * std::size_t(c.memory) + pair_lean]);

@@ -83,6 +83,7 @@ HardContact pair_contact(const ParticleSystem& s, std::size_t c) {
   out.held = sc_scale(sign, vec_of(&s.contacts.slide[4 * c]));
   out.smaller = std::min(p.radius_by_volume(out.a), p.radius_by_volume(out.b));
   if (s.contacts.remembers_shapes) std::copy_n(&s.contacts.shape[pair_memory * c + pair_lean], 2, out.lean);
+  out.twist = s.contacts.roll[4 * c + 3];
   return out;
 }
 
@@ -98,6 +99,7 @@ HardContact wall_contact(const ParticleSystem& s, std::int32_t particle, std::in
   out.began = !s.wall_contacts.active[w];
   out.slid = s.wall_contacts.active[w] == contact_code(true, true);
   out.held = vec_of(&s.wall_contacts.slide[4 * std::size_t(w)]);
+  out.twist = s.wall_contacts.roll[4 * std::size_t(w) + 3];
   out.smaller = p.radius_by_volume(particle);
   if (p.shaped())
     for (std::size_t k = 0; k < 2; ++k)

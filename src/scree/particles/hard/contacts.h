@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scree/particles/system.h"
-#include "scree/physics/impulse/hold.h"
+#include "scree/physics/impulse/impact.h"
 
 namespace scree {
 
@@ -27,7 +27,7 @@ struct HardPoint {
   double overlap = 0;       // [m]
   double leave = 0;         // speed at which it may approach, because it is less deep than others [m/s]
   bool left_alone = false;  // in the middle of a step: it will be a collision
-  sc_hold hold{};           // response and what follows from it
+  sc_mat response{};        // K of both bodies, in collisions [1/kg]
   sc_vec struck{}, held{};  // impulses on A of the collision and of the rest of this step [N s]
 };
 
@@ -49,6 +49,7 @@ struct HardContact {
   double overlap = 0, smaller = 0;           // [m]; radius of the smaller body [m]
   sc_vec struck{}, held{};                   // sums over the points [N s]
   double lean[2] = {0, 0};                   // of the loads held by feet: their moments along and across [N s m]
+  double twist = 0;                          // moment about the normal of what holds feet across [N s m]
   double approach = 0;                       // speed at which the two met [m/s]
   double lost_normal = 0, lost_sliding = 0;  // in the present phase [J]
 
@@ -107,6 +108,15 @@ inline void give(HardContacts& h, const HardContact& c, const HardPoint& p, sc_v
   };
   hit(h.bodies[c.a], p.arm_a, impulse);
   if (!c.at_wall()) hit(h.bodies[c.b], p.arm_b, sc_scale(-1, impulse));
+}
+
+/// Work of an impulse between the velocities before and after it, by direction: losses of the contact.
+inline void book_loss(HardContact& c, sc_vec impulse, sc_vec before, sc_vec after) {
+  const sc_vec sum = sc_scale(0.5, sc_add(before, after));
+  const double all = -sc_dot(impulse, sum);
+  const double normal = -sc_dot(impulse, c.push) * sc_dot(sum, c.push);
+  c.lost_normal += normal;
+  c.lost_sliding += all - normal;
 }
 
 }  // namespace scree

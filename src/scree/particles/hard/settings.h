@@ -13,4 +13,9 @@ struct HardSettings {
   double slop = 1e-3;               // overlap that relocation leaves, over the smaller radius [-]
 };
 
+/// Approaches up to this are no collisions [m/s].
+inline double threshold_of(const HardSettings& settings, double gravity_speed) {
+  return settings.threshold.value_or(2 * gravity_speed);
+}
+
 }  // namespace scree

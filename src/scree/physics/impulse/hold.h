@@ -9,8 +9,10 @@
 typedef struct {
   sc_vec push;      // unit normal from B to A
   sc_mat response;  // K of both bodies [1/kg]
+  sc_vec lift;      // K push [1/kg]
   sc_mat grip;      // inverse of K in the plane of the contact: tangential impulse that stops sliding, per speed [kg]
   real stiffness;   // normal impulse per approach speed [kg]
+  real slip;        // tangential impulse per speed where the contact slides, the same in all directions [kg]
   real friction;    // mu [-]
 } sc_hold;
 
@@ -29,12 +31,23 @@ SC_FN sc_mat sc_plane_inverse(sc_mat k, sc_vec n) {
   return m;
 }
 
+/// The greatest response of a contact to an impulse in its plane, in that direction [1/kg].
+SC_FN real sc_plane_response(sc_mat k, sc_vec n) {
+  const sc_vec s = sc_perpendicular(n), t = sc_cross(n, s);
+  const sc_vec ks = sc_turn(k, s);
+  const real ss = sc_dot(s, ks), st = sc_dot(t, ks), tt = sc_dot(t, sc_turn(k, t));
+  const real uneven = R(0.5) * (ss - tt);
+  return R(0.5) * (ss + tt) + SC_SQRT(uneven * uneven + st * st);
+}
+
 SC_FN sc_hold sc_make_hold(sc_vec push, sc_mat response, real friction) {
   sc_hold h;
   h.push = push;
   h.response = response;
   h.grip = sc_plane_inverse(response, push);
-  h.stiffness = R(1) / sc_dot(push, sc_turn(response, push));
+  h.lift = sc_turn(response, push);
+  h.stiffness = R(1) / sc_dot(push, h.lift);
+  h.slip = R(1) / sc_plane_response(response, push);
   h.friction = friction;
   return h;
 }
@@ -57,7 +70,7 @@ SC_FN sc_vec sc_hold_on(sc_hold h, sc_vec impulse, sc_vec velocity) {
   const real load = SC_MAX(before - h.stiffness * sc_dot(h.push, velocity), R(0));
   if (!(h.friction > R(0))) return sc_scale(load, h.push);
   // The normal impulse may start a body sliding, or stop it.
-  const sc_vec then = sc_add_scaled(velocity, load - before, sc_turn(h.response, h.push));
+  const sc_vec then = sc_add_scaled(velocity, load - before, h.lift);
   const sc_vec across = sc_sub(sc_add_scaled(impulse, -before, h.push), sc_turn(h.grip, then));
   return sc_allowed(h, sc_add_scaled(across, load, h.push));
 }

@@ -9,25 +9,19 @@
 
 #include "scree/physics/impulse/hold.h"
 
-/// The greatest response of a contact to an impulse in its plane, in that direction [1/kg].
-SC_FN real sc_plane_response(sc_mat k, sc_vec n) {
-  const sc_vec s = sc_perpendicular(n), t = sc_cross(n, s);
-  const sc_vec ks = sc_turn(k, s);
-  const real ss = sc_dot(s, ks), st = sc_dot(t, ks), tt = sc_dot(t, sc_turn(k, t));
-  const real uneven = R(0.5) * (ss - tt);
-  return R(0.5) * (ss + tt) + SC_SQRT(uneven * uneven + st * st);
-}
-
 /// As sc_hold_on, with friction opposite to the velocity where the contact slides.
 SC_FN sc_vec sc_hold_or_slide(sc_hold h, sc_vec impulse, sc_vec velocity) {
-  const sc_vec held = sc_hold_on(h, impulse, velocity);
-  const real load = sc_dot(h.push, held), before = sc_dot(h.push, impulse);
+  const real before = sc_dot(h.push, impulse);
+  const real load = SC_MAX(before - h.stiffness * sc_dot(h.push, velocity), R(0));
   const real limit = h.friction * load;
-  if (!(limit > R(0)) || sc_norm(sc_reject(held, h.push)) < limit * (R(1) - R(1e-9))) return held;
-  const sc_vec then = sc_add_scaled(velocity, load - before, sc_turn(h.response, h.push));
-  const real step = R(-1) / sc_plane_response(h.response, h.push);
-  const sc_vec across = sc_add_scaled(sc_reject(impulse, h.push), step, sc_reject(then, h.push));
-  return sc_allowed(h, sc_add_scaled(across, load, h.push));
+  if (!(limit > R(0))) return sc_scale(load, h.push);
+  const sc_vec then = sc_add_scaled(velocity, load - before, h.lift);
+  const sc_vec across = sc_add_scaled(impulse, -before, h.push);
+  const sc_vec stopped = sc_sub(across, sc_turn(h.grip, then));
+  const real within = limit * (R(1) - R(1e-9));
+  if (sc_dot(stopped, stopped) < within * within) return sc_add_scaled(stopped, load, h.push);
+  const sc_vec slowed = sc_add_scaled(across, -h.slip, sc_reject(then, h.push));
+  return sc_allowed(h, sc_add_scaled(slowed, load, h.push));
 }
 
 #endif

@@ -1,0 +1,57 @@
+// The phase of collisions.
+#include <algorithm>
+#include <cmath>
+
+#include "scree/particles/hard/colours.h"
+#include "scree/particles/hard/phases.h"
+
+namespace scree {
+namespace {
+
+/// Whether a point takes part in collisions: feet only where they touch.
+bool collides(const HardPoint& p, const HardPoint& first) { return &p == &first || p.overlap >= 0; }
+
+/// Approaches at one point that end.
+double strike(HardContacts& h, HardContact& c, HardPoint& p, double threshold, bool rub) {
+  const sc_vec before = contact_velocity(h.bodies, c, p);
+  const double approach = -sc_dot(c.push, before);
+  if (!(approach > threshold)) return 0;
+  sc_impact_law law = c.law;
+  if (!rub) law.friction = 0;
+  const sc_vec impulse = sc_impact(law, p.response, c.push, before);
+  give(h, c, p, impulse);
+  p.struck = sc_add(p.struck, impulse);
+  book_loss(c, impulse, before, contact_velocity(h.bodies, c, p));
+  return approach;
+}
+
+}  // namespace
+
+void collide(HardContacts& h, const HardSettings& settings, double gravity_speed) {
+  double fastest = 0;
+  for (HardContact& c : h.all) {
+    for (HardPoint& p : h.points_of(c)) {
+      p.response = contact_response(h, c, p);
+      if (collides(p, h.points_of(c)[0]))
+        c.approach = std::max(c.approach, -sc_dot(c.push, contact_velocity(h.bodies, c, p)));
+    }
+    fastest = std::max(fastest, c.approach);
+  }
+  const double threshold = threshold_of(settings, gravity_speed);
+  if (fastest <= threshold) return;
+  const auto visit = [&](HardContact& c) {
+    double most = 0;
+    const auto points = h.points_of(c);
+    for (HardPoint& p : points)
+      if (collides(p, points[0])) most = std::max(most, strike(h, c, p, threshold, !settings.sequential));
+    return most;
+  };
+  if (settings.sequential) {
+    for (HardContact& c : h.all) visit(c);
+    return;
+  }
+  for (int sweep = 0; sweep < settings.sweeps; ++sweep)
+    if (visit_all(h, visit) <= settings.residual * settings.residual * fastest) break;
+}
+
+}  // namespace scree

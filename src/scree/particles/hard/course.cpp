@@ -1,0 +1,45 @@
+#include "scree/particles/hard/course.h"
+
+namespace scree {
+
+Course::Course(const HardContacts& h) : before_(h.bodies.size()), course_(h.bodies.size()) {
+  for (std::size_t i = 0; i < before_.size(); ++i) before_[i] = {h.bodies[i].velocity, h.bodies[i].spin};
+}
+
+void Course::go_on(HardContacts& h, Bearings& bearings) {
+  double size = 0;
+  for (const double change : bearings.change) size += change;
+  const double share = last_ > 0 ? size / last_ : 0;
+  last_ = size;
+  // A change that grows has lost its way: start again.
+  const bool again = !(share <= 1);
+  for (BearingPoint& p : bearings.points) {
+    if (again) {
+      p.course = sc_zero_vec();
+      continue;
+    }
+    const sc_vec change = sc_sub(p.held, p.before), more = sc_scale(share, p.course);
+    p.held = sc_add(p.held, more);
+    p.course = sc_add(more, change);
+  }
+  move_bodies(h, share, again);
+}
+
+void Course::move_bodies(HardContacts& h, double share, bool again) {
+  for (std::size_t i = 0; i < before_.size(); ++i) {
+    HardBody& body = h.bodies[i];
+    Motion& course = course_[i];
+    if (again) {
+      course = {};
+    } else {
+      const Motion change{sc_sub(body.velocity, before_[i].velocity), sc_sub(body.spin, before_[i].spin)};
+      const Motion more{sc_scale(share, course.velocity), sc_scale(share, course.spin)};
+      body.velocity = sc_add(body.velocity, more.velocity);
+      body.spin = sc_add(body.spin, more.spin);
+      course = {sc_add(more.velocity, change.velocity), sc_add(more.spin, change.spin)};
+    }
+    before_[i] = {body.velocity, body.spin};
+  }
+}
+
+}  // namespace scree
