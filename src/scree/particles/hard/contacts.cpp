@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include "scree/particles/contact_state.h"
@@ -32,8 +33,8 @@ bool bounding_spheres_touch(const ParticleSystem& s, std::size_t c) {
 }
 
 /// Whether two bodies of which one is no sphere touch, decided with a proof. Notes where the search ended, or how far
-/// the surfaces may go before it must be made again.
-bool shapes_touch(ParticleSystem& s, std::size_t c) {
+/// the surfaces may go before it must be made again. `where` they touch.
+bool shapes_touch(ParticleSystem& s, std::size_t c, std::optional<sc_shape_touch>& where) {
   const Particles& p = s.particles;
   const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
   const double way = p.angular_momentum.row(i)[lane::path] + p.angular_momentum.row(j)[lane::path];
@@ -43,6 +44,7 @@ bool shapes_touch(ParticleSystem& s, std::size_t c) {
   if (found.verdict == SC_GROWTH_TOUCHING) {
     const sc_vec point = found.start.point;
     store4(memory, lane4{point.x, point.y, point.z, found.start.share});
+    where = found;
     return true;
   }
   const sc_vec branch = branch_of_pair(s, c);
@@ -53,9 +55,9 @@ bool shapes_touch(ParticleSystem& s, std::size_t c) {
   return false;
 }
 
-bool pair_touches(ParticleSystem& s, std::size_t c) {
+bool pair_touches(ParticleSystem& s, std::size_t c, std::optional<sc_shape_touch>& where) {
   if (!bounding_spheres_touch(s, c)) return false;
-  return is_pair_of_spheres(s, c) || shapes_touch(s, c);
+  return is_pair_of_spheres(s, c) || shapes_touch(s, c, where);
 }
 
 void forget_pair(PairContacts& contacts, std::size_t c) {
@@ -64,6 +66,16 @@ void forget_pair(PairContacts& contacts, std::size_t c) {
   std::fill_n(&contacts.roll[4 * c], 4, 0.0);
   // What is known of bodies that are apart may stay.
   if (contacts.remembers_shapes) std::fill_n(&contacts.shape[pair_memory * c], pair_scratch, 0.0);
+}
+
+/// Notes where the bodies of a contact touch, as looking at them would.
+void note_place(const ParticleSystem& s, const sc_shape_touch& found, HardContact& c) {
+  const sc_shape_touch t = sc_shape_touch_from(found, s.contacts.pairs.owner[c.memory] == c.a);
+  c.known = true;
+  c.push = sc_scale(-1, t.normal);
+  c.arm_a = t.arm;
+  c.arm_b = t.arm_second;
+  c.overlap = t.overlap;
 }
 
 HardContact pair_contact(const ParticleSystem& s, std::size_t c) {
@@ -85,6 +97,13 @@ HardContact pair_contact(const ParticleSystem& s, std::size_t c) {
   if (s.contacts.remembers_shapes) std::copy_n(&s.contacts.shape[pair_memory * c + pair_lean], 2, out.lean);
   out.twist = s.contacts.roll[4 * c + 3];
   return out;
+}
+
+void note_place(const sc_body_gap& gap, HardContact& c) {
+  c.known = true;
+  c.push = sc_scale(-1, gap.normal);
+  c.arm_a = gap.arm;
+  c.overlap = gap.overlap;
 }
 
 HardContact wall_contact(const ParticleSystem& s, std::int32_t particle, std::int32_t w) {
@@ -113,8 +132,11 @@ void find_pairs(ParticleSystem& s, std::vector<HardContact>& out) {
   const std::int64_t count = static_cast<std::int64_t>(contacts.pairs.count);
 #pragma omp parallel for schedule(static) if (count >= 4096)
   for (std::int64_t c = 0; c < count; ++c) {
-    if (pair_touches(s, c)) {
-      found[omp_get_thread_num()].push_back(pair_contact(s, c));
+    std::optional<sc_shape_touch> where;
+    if (pair_touches(s, c, where)) {
+      HardContact contact = pair_contact(s, c);
+      if (where) note_place(s, *where, contact);
+      found[omp_get_thread_num()].push_back(contact);
       contacts.active[c] = contact_code(true, contacts.active[c] == contact_code(true, true));
     } else if (contacts.active[c]) {
       forget_pair(contacts, c);
@@ -154,6 +176,8 @@ void find_walls(ParticleSystem& s, const SweepView& v, std::vector<HardContact>&
     for (std::int32_t w = among.begin; w < among.end; ++w) {
       if (touches_wall(among, s, w)) {
         found[omp_get_thread_num()].push_back(wall_contact(s, p, w));
+        if (!is_sphere(s.particles, static_cast<std::size_t>(p)))
+          note_place(noted_gap(among, w), found[omp_get_thread_num()].back());
         walls.active[w] = contact_code(true, walls.active[w] == contact_code(true, true));
       } else if (walls.active[w]) {
         forget_wall(v, w);
@@ -176,7 +200,7 @@ void find_hard_contacts(ParticleSystem& s, ContactLists& lists, HardContacts& ou
   });
   out.room = s.particles.shaped() ? 1 + hard_feet : 1;
   out.points.assign(out.room * out.all.size(), {});
-  look_again(s, out);
+  complete(s, out);
 }
 
 }  // namespace scree

@@ -46,6 +46,8 @@ struct HardContact {
   sc_impact_law law{};                       // of the two materials
   sc_vec push{};                             // unit normal from B to A
   sc_vec along{};                            // a direction across, of a flat contact
+  bool known = false;                        // the search that found it says where it is:
+  sc_vec arm_a{}, arm_b{};                   // from the centres [m]
   double overlap = 0, smaller = 0;           // [m]; radius of the smaller body [m]
   sc_vec struck{}, held{};                   // sums over the points [N s]
   double lean[2] = {0, 0};                   // of the loads held by feet: their moments along and across [N s m]

@@ -65,6 +65,8 @@ sc_body_gap gap_of_tilted(const Patch& p, const sc_body_shape& body, sc_vec cent
     const std::int32_t face = walls.wall[w];
     if (face == last || p.s.walls.faces[face].body != own.body) continue;
     last = face;
+    // Only triangles go on in the same plane.
+    if (face != p.c.face && own.kind != SC_WALL_TRIANGLE) continue;
     sc_body_gap gaps[SC_FRUSTUM_GAPS];
     const int count = body_to_wall(p.s.walls.faces[face], p.s.walls.pose_of(face), body, centre, body.radius, gaps);
     for (int k = 0; k < count; ++k)

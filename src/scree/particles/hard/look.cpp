@@ -75,29 +75,61 @@ void add_feet(const ParticleSystem& s, HardContact& c, HardPoint* points) {
   points[0].arm_b = sc_sub(middle, branch);
 }
 
-void look_at(const ParticleSystem& s, HardContacts& h, std::size_t k) {
+/// What follows from the first point of a contact.
+void finish(const ParticleSystem& s, HardContacts& h, std::size_t k) {
   HardContact& c = h.all[k];
   HardPoint* points = &h.points[static_cast<std::size_t>(h.room) * k];
-  points[0] = {};
-  if (c.at_wall())
-    look_at_wall(s, c, points[0]);
-  else if (is_sphere(s.particles, c.a) && is_sphere(s.particles, c.b))
-    look_at_spheres(s, c, points[0]);
-  else
-    look_at_shapes(s, c, points[0]);
   points[0].overlap = c.overlap;
   if (h.room > 1) add_feet(s, c, points);
   if (c.at_wall())
     for (HardPoint& p : h.points_of(c)) p.surface = surface_at(s, c, p.arm_a);
 }
 
-}  // namespace
+void look_at(const ParticleSystem& s, HardContacts& h, std::size_t k) {
+  HardContact& c = h.all[k];
+  HardPoint& first = h.points[static_cast<std::size_t>(h.room) * k];
+  first = {};
+  if (c.at_wall())
+    look_at_wall(s, c, first);
+  else if (is_sphere(s.particles, c.a) && is_sphere(s.particles, c.b))
+    look_at_spheres(s, c, first);
+  else
+    look_at_shapes(s, c, first);
+  finish(s, h, k);
+}
 
-void look_again(const ParticleSystem& s, HardContacts& h) {
+/// Calls look(k) for every contact.
+template <class Look>
+void for_all(const ParticleSystem& s, const HardContacts& h, Look&& look) {
   const int hands = h.team.hands(s.particles.shaped() ? h.all.size() : h.all.size() / worth_threads);
   const std::int64_t count = static_cast<std::int64_t>(h.all.size());
 #pragma omp parallel for schedule(static) num_threads(hands) if (hands > 1)
-  for (std::int64_t k = 0; k < count; ++k) look_at(s, h, static_cast<std::size_t>(k));
+  for (std::int64_t k = 0; k < count; ++k) look(static_cast<std::size_t>(k));
+}
+
+}  // namespace
+
+void complete(const ParticleSystem& s, HardContacts& h) {
+  for_all(s, h, [&](std::size_t k) {
+    const HardContact& c = h.all[k];
+    if (!c.known) return look_at(s, h, k);
+    HardPoint& first = h.points[static_cast<std::size_t>(h.room) * k];
+    first = {};
+    first.arm_a = c.arm_a;
+    first.arm_b = c.arm_b;
+    finish(s, h, k);
+  });
+}
+
+void look_again(const ParticleSystem& s, HardContacts& h) {
+  for_all(s, h, [&](std::size_t k) { look_at(s, h, k); });
+}
+
+void look_again_where_moved(const ParticleSystem& s, HardContacts& h, const std::vector<sc_vec>& way) {
+  const auto moved = [&](std::int32_t body) { return body >= 0 && sc_dot(way[body], way[body]) > 0; };
+  for_all(s, h, [&](std::size_t k) {
+    if (moved(h.all[k].a) || moved(h.all[k].b)) look_at(s, h, k);
+  });
 }
 
 }  // namespace scree

@@ -65,7 +65,7 @@ double relocate(ParticleSystem& s, HardContacts& h, const HardSettings& settings
     if (s.particles.shaped()) s.particles.angular_momentum.row(i)[lane::path] += 1.000001 * SC_SQRT(square);
     book(s.particles, i, way[i], gravity);
   }
-  look_again(s, h);
+  look_again_where_moved(s, h, way);
   return SC_SQRT(farthest2);
 }
 
