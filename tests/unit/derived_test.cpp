@@ -523,5 +523,25 @@ TEST(Build, GroupsTakeTheCaseOver) {
   EXPECT_THROW(build_groups(c), InputError);
 }
 
+// A disc of 4 : 4 : 0.2 mm that tumbles about a diameter, I = m (a^2 + c^2) / 5, goes with its rim a tenth of its
+// thickness in a step, five times hard.travel; spheres go by their diameter alone.
+TEST(Derived, HardStepsHeedTheTipsOfThinBodies) {
+  Case c = linear_case();
+  c.contact.collision = "hard";
+  EXPECT_NEAR(derive(c).step.time_step, 0.02 * 1e-3 / 2, 1e-15);
+  EXPECT_EQ(derive(c).step.tip_travel, 0);
+  ParticleKeys& disc = c.particles[0];
+  disc.shape = "ellipsoid";
+  disc.half_axes = {4e-3, 4e-3, 0.2e-3};
+  disc.exponents = {1, 1};
+  disc.diameter.value = 2 * std::cbrt(4 * 4 * 0.2) * 1e-3;
+  const double tip = 2 * std::sqrt(1 + 5 * 16 / (16 + 0.04));
+  const DerivedStep step = derive(c).step;
+  EXPECT_NEAR(step.time_step, 0.1 * 0.4e-3 / tip, 1e-12);
+  EXPECT_NEAR(step.tip_travel, 0.1, 1e-9);
+  c.simulation.time_step = 1e-4;
+  EXPECT_NEAR(derive(c).step.tip_travel, 1e-4 * tip / 0.4e-3, 1e-9);
+}
+
 }  // namespace
 }  // namespace scree

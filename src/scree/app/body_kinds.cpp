@@ -85,6 +85,19 @@ double prescribed_speed(const ParticleKeys& keys, const ParticleGroup& group, do
   return fastest;
 }
 
+/// A body that tumbles about its middle axis has a tip with speed v sqrt(1 + R^2 m / I) at most,
+/// where v is the speed of all its energy.
+void take_shape(BodyKind& kind, const ParticleKeys& keys) {
+  kind.thickness = kind.smallest;
+  if (keys.shape == "sphere" || keys.insert == "checkpoint") return;
+  const Form form = make_form(keys.half_axes, keys.exponents[0], keys.exponents[1]);
+  const Axes axes = form.half_axes();
+  Axes inertia = form.inertia;
+  std::sort(inertia.begin(), inertia.end());
+  kind.thickness *= *std::min_element(axes.begin(), axes.end()) / form.equivalent_radius;
+  kind.tip = std::sqrt(1 + 1 / inertia[1]);
+}
+
 }  // namespace
 
 double expected_number(const ParticleGroup& group, std::uint32_t index, std::uint64_t seed) {
@@ -124,6 +137,7 @@ std::vector<BodyKind> body_kinds(const Case& c, const Particles* present) {
       take_sizes(kind, groups[g], g, c.simulation.seed);
     else
       take_expected(kind, groups[g], *feed, c);
+    take_shape(kind, c.particles[g]);
     take_velocities(kind, groups[g]);
     if (c.particles[g].motion == "prescribed")
       kind.spread = std::max(kind.spread, prescribed_speed(c.particles[g], groups[g], c.simulation.end));

@@ -115,6 +115,11 @@ void say_step(const Case& c, const DerivedStep& s, Lines& lines) {
     lines.push_back({"way in a step", fmt::format("{:.3g} % of the smallest diameter at top speed", 100 * s.travel),
                      warn_if(s.travel > far_travel),
                      "hard collisions are found that late: use a shorter time step, or \"auto\""});
+  if (is_hard(c) && s.tip_travel > 0)
+    lines.push_back({"way of tips in a step", fmt::format("{:.3g} % of the least thickness", 100 * s.tip_travel),
+                     warn_if(s.tip_travel > far_tip_travel),
+                     "thin bodies pass each other unseen if they go farther than half their thickness: use a shorter "
+                     "time step, or \"auto\""});
   if (std::isfinite(s.contact_time)) {
     lines.push_back({"shortest contact", fmt::format("{:.4g} s, {}", s.contact_time, s.shortest), Verdict::none, ""});
     lines.push_back({"steps per contact", fmt::format("{:.3g}", s.steps_per_contact),

@@ -34,13 +34,19 @@ double shortest_rayleigh_time(const Case& c, const std::vector<BodyKind>& kinds)
   return shortest;
 }
 
-/// Hard collisions take no time; what counts is that nobody goes far in a step.
+/// Hard collisions take no time; what counts is that nobody goes far in a step: the centre of a body, and the tip of a
+/// thin one.
 void derive_hard_step(const Case& c, const std::vector<BodyKind>& kinds, DerivedStep& out) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const BodyKind& kind : kinds) smallest = std::min(smallest, kind.smallest);
+  constexpr double tips_go_farther = 5;  // by this factor, over the thickness
+  double smallest = std::numeric_limits<double>::infinity(), thinnest = smallest;
+  for (const BodyKind& kind : kinds) {
+    smallest = std::min(smallest, kind.smallest);
+    if (kind.tip > 1) thinnest = std::min(thinnest, kind.thickness / kind.tip);
+  }
   if (!std::isfinite(smallest) || out.top_speed == 0) return;
-  if (out.automatic) out.time_step = c.hard.travel * smallest / out.top_speed;
+  if (out.automatic) out.time_step = c.hard.travel * std::min(smallest, tips_go_farther * thinnest) / out.top_speed;
   out.travel = out.time_step * out.top_speed / smallest;
+  out.tip_travel = out.time_step * out.top_speed / thinnest;
 }
 
 void derive_soft_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds, DerivedStep& out) {

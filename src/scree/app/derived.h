@@ -18,6 +18,8 @@ namespace scree {
 
 /// Hard collisions: a longer way in a step than this share of the smallest diameter is worth a warning.
 inline constexpr double far_travel = 0.1;
+/// The same for tips of bodies, over the least thickness; at half of it a run stops.
+inline constexpr double far_tip_travel = 0.25;
 
 /// Fewer time steps per contact than this are refused, or worth a warning.
 inline constexpr double fewest_steps_per_contact = 10, few_steps_per_contact = 15;
@@ -32,7 +34,8 @@ struct DerivedStep {
   double damped_step = std::numeric_limits<double>::infinity();  // longest that brings a damped packing to rest [s]
   std::string damped;                                            // the encounter that asks for it
   double overlap = 0;                                            // deepest at top speed, over the smaller radius
-  double travel = 0;  // hard: way at top speed in a step, over the smallest diameter
+  double travel = 0;      // hard: way at top speed in a step, over the smallest diameter
+  double tip_travel = 0;  // hard: way of the tip of a body, over its thickness; 0 among spheres
   std::string deepest;
   double rayleigh_time = std::numeric_limits<double>::infinity();  // shortest [s]; infinite without elastic moduli
   double steps = 0;                                                // of the run

@@ -33,7 +33,9 @@ const Section& hard_section() {
            .above(0)
            .at_most(0.1),
        key("travel", &S::travel,
-           "with time_step = \"auto\": way at top speed in a step, as a share of the smallest diameter")
+           "with time_step = \"auto\": way at top speed in a step, as a share of the smallest diameter; of the tip of "
+           "a "
+           "thin body that tumbles, at most five times this share of its thickness")
            .above(0)
            .at_most(0.25)},
       [] { return std::make_shared<S>(); }};
