@@ -105,8 +105,9 @@ TEST(Places, OutletsPlanesAndGridsOutsideAreNamed) {
   EXPECT_EQ(labels(plane + "point = [0, 0, 0.21]\n"), (std::vector<std::string>{"plane 'mouth'"}));
   EXPECT_EQ(
       labels("[[analysis.averages]]\nname = \"a\"\ncells = [1, 1, 1]\nevery = 0.1\nmin = [0.1, 0, 0]\nmax = [1, 1, 1]\n"
-             "[[analysis.surfaces]]\nname = \"s\"\ncells = [1, 1, 1]\nmin = [0, 0, -3]\nmax = [1, 1, -2]\n"),
-      (std::vector<std::string>{"averages 'a'", "surface 's'"}));
+             "[[analysis.surfaces]]\nname = \"s\"\ncells = [1, 1, 1]\nmin = [0, 0, -3]\nmax = [1, 1, -2]\n"
+             "[[analysis.regions]]\nname = \"r\"\nmin = [0, 3, 0]\nmax = [1, 4, 2]\n"),
+      (std::vector<std::string>{"averages 'a'", "surface 's'", "region 'r'"}));
 }
 
 TEST(Jumps, AWallThatGoesFartherThanARadiusInAStepIsNamed) {

@@ -27,7 +27,8 @@ const std::string measured =
     "[[analysis.averages]]\nname = \"all\"\ncells = [3, 4, 5]\nevery = 3e-4\n"
     "[[analysis.averages]]\nname = \"late\"\ncells = [2, 2, 2]\nfrom = 2.5e-3\nevery = 2e-4\nwindow = 1.3e-3\n"
     "min = [0, 0, 0]\nmax = [0.03, 0.03, 0.015]\n"
-    "[[analysis.surfaces]]\nname = \"top\"\ncells = [2, 2, 4]\nsolid_fraction = 0.1\n";
+    "[[analysis.surfaces]]\nname = \"top\"\ncells = [2, 2, 4]\nsolid_fraction = 0.1\n"
+    "[[analysis.regions]]\nname = \"whole\"\n";
 
 Case measuring_case(const Overrides& more = {}) {
   Overrides all = {"simulation.end=6e-3"};
@@ -81,6 +82,9 @@ TEST(Measures, OfARunAreInItsFiles) {
   EXPECT_TRUE(rows.contains("disc_count") && rows.contains("top_level") && rows.contains("top_angle"));
   EXPECT_GT(rows.at("top_level").back(), 0);
   EXPECT_LT(rows.at("top_level").back(), 0.031);
+  // All contacts between particles count for two of them.
+  EXPECT_GT(rows.at("whole_coordination").back(), 0);
+  EXPECT_LE(rows.at("whole_coordination").back(), 2 * rows.at("contacts").back() / rows.at("particles").back());
   // The averages hold all particles of the box at every sample.
   const fs::path all = space / "run/averages/all_000000.h5";
   double number = 0;

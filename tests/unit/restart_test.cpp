@@ -1,6 +1,7 @@
 // Continuing equals not stopping: the same state and the same files, whatever the number of threads.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -101,8 +102,28 @@ TEST_P(RestartOf, AStateThroughMemoryGivesTheSameBitsAtAnyMoment) {
     advance(other, 260 - step);
     EXPECT_EQ(other.state_hash(), whole.state_hash()) << step;
     EXPECT_EQ(other.tally().contacts, whole.tally().contacts);
+    EXPECT_EQ(other.tally().wall_contacts, whole.tally().wall_contacts);
     EXPECT_EQ(other.tally().impacts, whole.tally().impacts);
   }
+}
+
+TEST(Tally, OfAStepIsWhatActedInIt) {
+  Simulation s(stirred(rough), 1);
+  advance(s, 200);
+  const Tally before = s.tally();
+  s.step();
+  const auto acting = [](const Buffer<std::uint8_t>& codes, std::size_t count) {
+    return std::count_if(codes.begin(), codes.begin() + static_cast<std::ptrdiff_t>(count),
+                         [](std::uint8_t code) { return code != 0; });
+  };
+  const ParticleSystem& system = s.system();
+  const auto pairs = acting(system.contacts.active, system.contacts.pairs.count);
+  const auto walls = acting(system.wall_contacts.active,
+                            static_cast<std::size_t>(system.wall_contacts.first[system.particles.size()]));
+  EXPECT_GT(pairs, 0);
+  EXPECT_GT(walls, 0);
+  EXPECT_EQ(s.tally().wall_contacts - before.wall_contacts, walls);
+  EXPECT_EQ(s.tally().contacts - before.contacts, pairs + walls);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RestartOf, testing::Values(rough, sticky),

@@ -316,6 +316,7 @@ TEST(ShapeContact, SideBySideChangesNoBit) {
     }
     EXPECT_GT(lanes.tally().contacts, 500) << laws.name;
     EXPECT_EQ(lanes.tally().contacts, alone.tally().contacts) << laws.name;
+    EXPECT_EQ(lanes.tally().wall_contacts, alone.tally().wall_contacts) << laws.name;
   }
 }
 

@@ -101,4 +101,17 @@ std::vector<Bond> bonds_of(const ParticleSystem& system) {
   return bonds;
 }
 
+std::vector<std::int32_t> count_contacts(const ParticleSystem& s) {
+  std::vector<std::int32_t> count(s.particles.size(), 0);
+  for (std::size_t c = 0; c < s.contacts.pairs.count; ++c) {
+    if (!s.contacts.active[c]) continue;
+    ++count[s.contacts.pairs.owner[c]];
+    ++count[s.contacts.pairs.partner[c]];
+  }
+  for (std::size_t p = 0; p + 1 < s.wall_contacts.first.size(); ++p)
+    for (std::int32_t w = s.wall_contacts.first[p]; w < s.wall_contacts.first[p + 1]; ++w)
+      count[p] += s.wall_contacts.active[w] != 0;
+  return count;
+}
+
 }  // namespace scree

@@ -1,6 +1,7 @@
 // What the particles hold at one moment: the entries of the ledger and the columns of the series.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "scree/analysis/agglomerates.h"
@@ -24,5 +25,8 @@ Speeds measure_speeds(const Sample& sample);
 
 /// The pairs that belong together: bodies in contact, or effect surfaces that overlap.
 std::vector<Bond> bonds_of(const ParticleSystem& system);
+
+/// Particles and wall faces in touch with each particle, by its place.
+std::vector<std::int32_t> count_contacts(const ParticleSystem& system);
 
 }  // namespace scree

@@ -203,6 +203,7 @@ Archive Simulation::save() const {
   out.set("time", clock_.now());
   out.set("time_step", clock_.dt);
   out.set("contact_evaluations", tally_.contacts);
+  out.set("wall_contact_evaluations", tally_.wall_contacts);
   out.set("impacts", tally_.impacts);
   out.set("impact_speed", tally_.impact_speed);
   Particles p = system_.particles;
@@ -233,7 +234,8 @@ void Simulation::restore(const Archive& archive) {
   Particles saved = particles_of(archive);
   exchange_.restore(archive);
   clock_.step = archive.integer("step");
-  tally_ = {archive.integer("contact_evaluations"), archive.integer("impacts"), archive.integer("impact_speed")};
+  tally_ = {archive.integer("contact_evaluations"), archive.integer("wall_contact_evaluations"),
+            archive.integer("impacts"), archive.integer("impact_speed")};
   system_.particles = std::move(saved);
   system_.forms = forms_of(archive);
   if (system_.vertices) {

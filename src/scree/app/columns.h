@@ -50,7 +50,7 @@ struct SeriesRow {
   std::optional<PassedRow> passed;
   std::optional<AgglomerateSummary> agglomerates;
   std::vector<WallLoad> wall_loads;
-  std::vector<double> measures;  // of planes and surfaces
+  std::vector<double> measures;  // of planes, surfaces and regions
 };
 
 /// The columns that a run of the case writes.

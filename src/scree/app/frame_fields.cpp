@@ -78,20 +78,6 @@ void add_shape(const ParticleSystem& s, std::size_t i, FrameData& d) {
   d.exponents.insert(d.exponents.end(), form.exponents.begin(), form.exponents.end());
 }
 
-/// Contacts of each particle, by its place.
-std::vector<std::int32_t> count_contacts(const ParticleSystem& s) {
-  std::vector<std::int32_t> count(s.particles.size(), 0);
-  for (std::size_t c = 0; c < s.contacts.pairs.count; ++c) {
-    if (!s.contacts.active[c]) continue;
-    ++count[s.contacts.pairs.owner[c]];
-    ++count[s.contacts.pairs.partner[c]];
-  }
-  for (std::size_t p = 0; p + 1 < s.wall_contacts.first.size(); ++p)
-    for (std::int32_t w = s.wall_contacts.first[p]; w < s.wall_contacts.first[p + 1]; ++w)
-      count[p] += s.wall_contacts.active[w] != 0;
-  return count;
-}
-
 /// The doubles rounded to floats, owned by the column.
 void round_to_single(FrameColumn& column) {
   const auto* from = static_cast<const double*>(column.values.data);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scree/analysis/measure.h"
+
 namespace scree {
 namespace {
 
@@ -34,6 +36,8 @@ std::vector<std::string> measure_columns(const Case& c) {
     for (const char* what : {"_count", "_against", "_mass", "_rate"}) out.push_back(plane.name + what);
   for (const SurfaceKeys& surface : c.analysis.surfaces)
     for (const char* what : {"_level", "_angle", "_direction"}) out.push_back(surface.name + what);
+  for (const RegionKeys& region : c.analysis.regions)
+    for (const char* what : {"_solid_fraction", "_coordination"}) out.push_back(region.name + what);
   return out;
 }
 
@@ -49,6 +53,7 @@ Measures::Measures(const Case& c, const Clock& clock, const std::filesystem::pat
   }
   if (archive && archive->contains("measures_row_time")) row_time_ = archive->number("measures_row_time");
   for (const SurfaceKeys& keys : c.analysis.surfaces) surfaces_.push_back(probe_of(keys));
+  for (const RegionKeys& keys : c.analysis.regions) regions_.push_back({keys.min, keys.max});
   for (const AverageKeys& keys : c.analysis.averages) averages_.emplace_back(c, keys, clock, directory, archive);
 }
 
@@ -79,6 +84,12 @@ std::vector<double> Measures::row(const Sample& sample, double time) {
     const Surface found = find_surface(probe, sample.system.particles);
     out.insert(out.end(), {found.level, found.angle, found.direction});
   }
+  if (regions_.empty()) return out;
+  const ParticleSystem& s = sample.system;
+  const std::vector<std::int32_t> contacts = count_contacts(s);
+  for (const Region& region : regions_)
+    out.insert(out.end(), {solid_fraction(region, s.particles, s.forms, s.domain),
+                           coordination_number(region, s.particles, contacts)});
   return out;
 }
 

@@ -1,4 +1,4 @@
-// What a case measures beyond the ledger: counting planes, free surfaces, averages.
+// What a case measures beyond the ledger: counting planes, free surfaces, regions, averages.
 #pragma once
 
 #include <filesystem>
@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "scree/analysis/planes.h"
+#include "scree/analysis/region.h"
 #include "scree/analysis/surface.h"
 #include "scree/app/average_run.h"
 #include "scree/app/simulation.h"
 
 namespace scree {
 
-/// The columns of the series that planes and surfaces of the case fill.
+/// The columns of the series that planes, surfaces and regions of the case fill.
 std::vector<std::string> measure_columns(const Case& c);
 
 class Measures {
@@ -41,6 +42,7 @@ class Measures {
 
   std::vector<Plane> planes_;
   std::vector<SurfaceProbe> surfaces_;
+  std::vector<Region> regions_;
   std::vector<AverageRun> averages_;
   double row_time_ = 0;  // of the last row [s]
   std::int64_t seen_step_ = -1;

@@ -160,6 +160,7 @@ std::vector<Remark> remarks_on_places(const Case& c, double reach) {
                      "look at its 'point', 'normal', 'min' and 'max'"});
   remark_on_boxes(c, c.analysis.averages, "averages", out);
   remark_on_boxes(c, c.analysis.surfaces, "surface", out);
+  remark_on_boxes(c, c.analysis.regions, "region", out);
   return out;
 }
 

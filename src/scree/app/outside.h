@@ -15,7 +15,7 @@ struct Remark {
 };
 
 /// Walls that no particle in the domain can touch, up to `reach` [m] from its centre, at any time of the run; meshes
-/// out of all proportion to the domain; outlets, planes, averages and surfaces that lie wholly outside it.
+/// out of all proportion to the domain; outlets, planes, averages, surfaces and regions that lie wholly outside it.
 std::vector<Remark> remarks_on_places(const Case& c, double reach);
 
 }  // namespace scree

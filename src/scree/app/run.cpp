@@ -50,6 +50,7 @@ void fill_summary(const RunLoop& run, Summary& s) {
   s.particles = sim.system().particles.size();
   s.particle_steps = run.particle_steps;
   s.contacts = static_cast<std::uint64_t>(sim.tally().contacts);
+  s.wall_contacts = static_cast<std::uint64_t>(sim.tally().wall_contacts);
   s.threads = sim.threads();
   s.ledger = ledger_of(run.outputs);
   s.state_hash = sim.state_hash();

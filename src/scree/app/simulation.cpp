@@ -106,6 +106,7 @@ void Simulation::collide_particles() {
 void Simulation::take(SweepFindings findings) {
   findings_ = agree(ranks_, findings);
   tally_.contacts += findings_.contacts;
+  tally_.wall_contacts += findings_.wall_contacts;
   tally_.impacts += findings_.impacts;
   tally_.impact_speed += findings_.impact_speed;
 }

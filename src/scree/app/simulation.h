@@ -31,9 +31,10 @@ struct Clock {
 
 /// What has been counted since the start.
 struct Tally {
-  std::int64_t contacts = 0;      // evaluations of acting contacts
-  std::int64_t impacts = 0;       // pairs that began to touch
-  std::int64_t impact_speed = 0;  // sum of their approach speeds [speed_quantum]
+  std::int64_t contacts = 0;       // evaluations of acting contacts
+  std::int64_t wall_contacts = 0;  // of these with walls
+  std::int64_t impacts = 0;        // pairs that began to touch
+  std::int64_t impact_speed = 0;   // sum of their approach speeds [speed_quantum]
 };
 
 class Simulation {

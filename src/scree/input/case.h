@@ -250,12 +250,19 @@ struct SurfaceKeys {
   double solid_fraction = 0.3;       // of a cell that belongs to the bed
 };
 
+/// A box in which the packing is measured.
+struct RegionKeys {
+  std::string name;
+  Vec3 min{}, max{};  // default: the domain [m]
+};
+
 struct AnalysisKeys {
   bool agglomerates = false;
   double stop_agglomerated = 0;  // ends the run when this fraction of the particles is in agglomerates; 0: never
   std::vector<PlaneKeys> planes;
   std::vector<AverageKeys> averages;
   std::vector<SurfaceKeys> surfaces;
+  std::vector<RegionKeys> regions;
 };
 
 /// A run of a verification case with some keys changed.

@@ -34,6 +34,17 @@ void check_box(const Check& check, const Keys& keys, const std::string& path) {
     }
 }
 
+/// A box that a period holds.
+template <class Keys>
+void check_period(const Check& check, const Keys& keys, const char* what, const std::string& path) {
+  const DomainKeys& domain = check.c.domain;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (domain.periodic[k] && (keys.min[k] < domain.min[k] || keys.max[k] > domain.max[k]))
+      check.fail("E165", path + (check.origins.given(path + ".min") ? ".min" : ".max"),
+                 fmt::format("the {} of '{}' reaches beyond the period along {}", what, keys.name, axis_names[k]),
+                 fmt::format("the domain is from {} m to {} m", domain.min[k], domain.max[k]));
+}
+
 template <class Keys>
 void check_cells(const Check& check, const Keys& keys, const std::string& path) {
   const auto& n = keys.cells;
@@ -69,12 +80,7 @@ void check_average(const Check& check, const AverageKeys& average, const std::st
   if (average.window > 0 && average.window < average.every)
     check.fail("E167", path + ".window", fmt::format("the window of '{}' is shorter than 'every'", average.name),
                fmt::format("every is {} s", average.every), "a window holds one sample or more");
-  for (std::size_t k = 0; k < 3; ++k)
-    if (check.c.domain.periodic[k] &&
-        (average.min[k] < check.c.domain.min[k] || average.max[k] > check.c.domain.max[k]))
-      check.fail("E165", path + (check.origins.given(path + ".min") ? ".min" : ".max"),
-                 fmt::format("the grid of '{}' reaches beyond the period along {}", average.name, axis_names[k]),
-                 fmt::format("the domain is from {} m to {} m", check.c.domain.min[k], check.c.domain.max[k]));
+  check_period(check, average, "grid", path);
 }
 
 template <class Keys, class One>
@@ -94,6 +100,11 @@ void check_analysis(const Check& check) {
              [](const Check& c, const SurfaceKeys& surface, const std::string& path) {
                check_box(c, surface, path);
                check_cells(c, surface, path);
+             });
+  check_each(check, a.regions, "analysis.regions",
+             [](const Check& c, const RegionKeys& region, const std::string& path) {
+               check_box(c, region, path);
+               check_period(c, region, "box", path);
              });
 }
 

@@ -66,6 +66,20 @@ const Section& surfaces_section() {
   return section;
 }
 
+const Section& regions_section() {
+  using S = RegionKeys;
+  static const Section section = {
+      "analysis.regions",
+      "[[analysis.regions]]",
+      "A box in which the packing is measured: columns NAME_solid_fraction and NAME_coordination of the series.",
+      {key("name", &S::name, "name of its columns").is_a(TextKind::name).defaults_to("region0, region1, ..."),
+       key("min", &S::min, "lower corner of the box").unit("m").defaults_to("the domain"),
+       key("max", &S::max, "upper corner of the box").unit("m").defaults_to("the domain")},
+      [] { return std::make_shared<S>(); },
+      true};
+  return section;
+}
+
 }  // namespace
 
 const Section& analysis_section() {
@@ -86,7 +100,9 @@ const Section& analysis_section() {
        tables<S, AverageKeys>(
            "averages", [](S & s) -> auto& { return s.averages; }, averages_section()),
        tables<S, SurfaceKeys>(
-           "surfaces", [](S & s) -> auto& { return s.surfaces; }, surfaces_section())},
+           "surfaces", [](S & s) -> auto& { return s.surfaces; }, surfaces_section()),
+       tables<S, RegionKeys>(
+           "regions", [](S & s) -> auto& { return s.regions; }, regions_section())},
       [] { return std::make_shared<S>(); },
       true};
   return section;

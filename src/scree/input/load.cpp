@@ -82,6 +82,7 @@ void complete(Case& c, const Origins& origins) {
   complete_measures(c.analysis.planes, "analysis.planes", "plane", c.domain, origins);
   complete_measures(c.analysis.averages, "analysis.averages", "average", c.domain, origins);
   complete_measures(c.analysis.surfaces, "analysis.surfaces", "surface", c.domain, origins);
+  complete_measures(c.analysis.regions, "analysis.regions", "region", c.domain, origins);
 }
 
 Outcome evaluate(Table root, const std::string& path, const std::vector<std::string>& overrides) {

@@ -40,6 +40,7 @@ void merge(SweepFindings& all, const SweepFindings& part) {
   all.fastest2 = std::max(all.fastest2, part.fastest2);
   all.deepest = std::max(all.deepest, part.deepest);
   all.contacts += part.contacts;
+  all.wall_contacts += part.wall_contacts;
   all.impacts += part.impacts;
   all.impact_speed += part.impact_speed;
   all.sound = all.sound && part.sound;
@@ -104,6 +105,7 @@ SweepFindings agree(const Ranks& ranks, const SweepFindings& mine) {
   all.fastest2 = ranks.largest(mine.fastest2);
   all.deepest = ranks.largest(mine.deepest);
   all.contacts = ranks.total(mine.contacts);
+  all.wall_contacts = ranks.total(mine.wall_contacts);
   all.impacts = ranks.total(mine.impacts);
   all.impact_speed = ranks.total(mine.impact_speed);
   all.sound = ranks.all(mine.sound);

@@ -124,13 +124,14 @@ inline constexpr double speed_quantum = 0x1p-40;  // [m/s]
 
 /// What a pass found out, for the guards and the series.
 struct SweepFindings {
-  double fastest2 = 0;            // largest speed squared [m2/s2]
-  double deepest = 0;             // largest overlap over the smaller radius [-]
-  std::int64_t contacts = 0;      // pairs and walls that acted
-  std::int64_t impacts = 0;       // pairs that began to act
-  std::int64_t impact_speed = 0;  // sum of their approach speeds [speed_quantum]
-  bool sound = true;              // all speeds are numbers
-  bool inside = true;             // nobody has left the domain
+  double fastest2 = 0;             // largest speed squared [m2/s2]
+  double deepest = 0;              // largest overlap over the smaller radius [-]
+  std::int64_t contacts = 0;       // pairs and walls that acted
+  std::int64_t wall_contacts = 0;  // of these with walls
+  std::int64_t impacts = 0;        // pairs that began to act
+  std::int64_t impact_speed = 0;   // sum of their approach speeds [speed_quantum]
+  bool sound = true;               // all speeds are numbers
+  bool inside = true;              // nobody has left the domain
 };
 
 /// One thread's part of a pass: all pairs of the owners in tiles [0, count), then the motion of those particles that

@@ -179,6 +179,7 @@ inline double held(const sc_laws laws, const sc_pair_law& law, const sc_touch& t
   // One that is put there brings along what its contacts hold at once.
   if (a.pose(w).changed) v.work[4 * a.p + 3] += held(laws, law, touch, r.state);
   ++findings.contacts;
+  ++findings.wall_contacts;
   store4(v.walls.slide + std::int64_t{4} * w,
          lane4{r.state.slide.x, r.state.slide.y, r.state.slide.z, r.state.approach});
   store4(v.walls.roll + std::int64_t{4} * w, lane4{r.state.roll.x, r.state.roll.y, r.state.roll.z, r.state.twist});
