@@ -46,6 +46,17 @@ class Bench(unittest.TestCase):
         self.assertRefused(["linear", "--json", self.directory / "none" / "a.json"], "there is no directory")
         self.assertRefused(["linear", "--particles", 20000], "needs two sizes")
 
+    def test_the_tables_of_the_thesis_are_printed(self):
+        script = SHARE.parent / "bench" / "thesis.py"
+        result = subprocess.run([script, PROGRAM, "1e-3"], capture_output=True, text=True)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = [[entry.strip() for entry in line.split("|")[1:-1]] for line in result.stdout.splitlines()]
+        self.assertEqual({len(row) for row in rows}, {12})
+        self.assertEqual([row[1] for row in rows[3:]],
+                         ["400 vertices", "certified", "400 vertices", "900 vertices", "1600 vertices"])
+        # Core-microseconds of the thesis: its time, which it divided by its eight processors, times them.
+        self.assertEqual([row[11] for row in rows[4:]], ["292", "838", "1634", "2949"])
+
     def test_the_smallest_sizes_give_figures_and_a_picture(self):
         picture = self.directory / "linear.png"
         result = self.bench("linear", "--particles", 30000, "--rounds", 1, "--threads", 1, "--plot", picture)
