@@ -46,6 +46,19 @@ TEST(HardCollision, OfTwoSpheresIsWaltons) {
   EXPECT_NEAR(spin(s, 1, 2), -0.1, 1e-15);
 }
 
+// The thesis' form: each pair once, without friction, whatever the material says.
+TEST(HardCollision, InSequenceKnowsNoFriction) {
+  const std::string law = "restitution = 0.9\nfriction = 0.5\ntangential_restitution = 0.4\n";
+  const std::string balls = ball_at("[0, 0, 0], [1, 0, 0], [2, 0, 0]", "[0, 0, 0]");
+  Simulation s(case_of(balls_text(law, ball_at("[-1, 0, 0]", "[1, 0.1, 0]") + balls), {"hard.order=sequential"}), {1});
+  s.step();
+  // Particle 0 is the one that comes; the pairs follow in the order of their ids.
+  for (const auto& [id, speed] : {std::pair{0, 0.05}, {1, 0.0475}, {2, 0.045125}, {3, 0.857375}})
+    EXPECT_NEAR(motion(s, id, lane::vx), speed, 1e-15) << id;
+  EXPECT_NEAR(motion(s, 0, lane::vy), 0.1, 1e-15);
+  for (int id = 0; id < 4; ++id) EXPECT_EQ(spin(s, id, 2), 0) << id;
+}
+
 // Five balls that touch: the last one leaves, whatever the order of the impulses.
 TEST(HardCollision, OfNewtonsCradleMovesTheLastBall) {
   const std::string row = ball_at("[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0], [4, 0, 0]", "[0, 0, 0]");
