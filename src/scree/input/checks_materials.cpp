@@ -122,6 +122,8 @@ void needed_by_laws(const Check& check) {
 void laws_agree(const Check& check) {
   const sc_laws& laws = check.c.contact.laws;
   const bool hertz = laws.normal == SC_NORMAL_HERTZ;
+  // Hard collisions read none of them: checks_hard.cpp refuses what they have no form for.
+  if (is_hard(check.c)) return;
   if (!check.sound({"contact.normal", "contact.tangential", "contact.cohesion"})) return;
   if (laws.cohesion == SC_COHESION_JKR && !hertz)
     check.fail("E164", "contact.cohesion", "cohesion = 'jkr' takes the place of Hertz's spring",
@@ -163,7 +165,11 @@ void property_and_law(const Check& check, const Property& p) {
   const auto look = [&](const std::string& path, bool positive) {
     any = any || positive || !check.sound({path});
     switched = switched || check.origins.overridden(path);
-    if (positive && !p.active && !check.origins.overridden(law))
+    if (!positive || p.active || check.origins.overridden(law)) return;
+    if (is_hard(c))
+      check.fail("E164", path, fmt::format("'{}' has no effect on hard collisions", p.key),
+                 fmt::format("{} is of contact.collision = 'soft'", law), fmt::format("remove '{}'", p.key));
+    else
       check.fail("E164", path, fmt::format("'{}' has no effect with the chosen laws of contact", p.key),
                  fmt::format("no law of contact reads it"),
                  fmt::format("set {} to a law that reads it, or remove '{}'   (scree explain {})", law, p.key, law));
@@ -172,7 +178,7 @@ void property_and_law(const Check& check, const Property& p) {
     look(item_path("materials", i) + "." + p.key, c.materials[i].*p.material > 0);
   for (std::size_t i = 0; i < c.pairs.size(); ++i)
     look(item_path("pairs", i) + "." + p.key, (c.pairs[i].*p.pair).value_or(0) > 0);
-  if (p.required && !any && !switched)
+  if (p.required && !any && !switched && !is_hard(c))
     check.fail("E163", law, fmt::format("{} needs a material with '{}' above 0", law, p.key), "acts on nothing",
                fmt::format("add '{}' to a material or a pair   (scree explain materials.{})", p.key, p.key));
 }
