@@ -106,10 +106,11 @@ Command declare_check(CLI::App& app) {
             const Case loaded = load_case(arguments->file, arguments->set);
             // First what nothing need be made for: a case that does not fit must not fill the memory.
             std::string refusal = memory_refusal(loaded, available_memory());
+            const Exit verdict = refusal.empty() ? Exit::input : Exit::resource;
             if (refusal.empty()) refusal = refusal_of(loaded);
             const std::string place = directory->empty() ? default_directory(arguments->file) : *directory;
             print(check_report(loaded, derive(loaded), refusal, output_place(place)));
-            return static_cast<int>(refusal.empty() ? Exit::success : Exit::input);
+            return static_cast<int>(refusal.empty() ? Exit::success : verdict);
           }};
 }
 
