@@ -39,6 +39,14 @@ def draw_curve(axes, curve, colour, points):
                   solid_capstyle="round")
 
 
+def widen(axes):
+    """Shows what stays the same but for rounding as a line, not as noise."""
+    low, high = axes.get_ylim()
+    middle = 0.5 * (low + high)
+    if high - low < 1e-6 * abs(middle):
+        axes.set_ylim(0.9 * middle, 1.1 * middle) if middle > 0 else axes.set_ylim(1.1 * middle, 0.9 * middle)
+
+
 def draw_plot(axes, plot):
     curves = plot["curves"]
     for index, curve in enumerate(curves):
@@ -55,6 +63,8 @@ def draw_plot(axes, plot):
             axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
             axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
             axis.set_minor_formatter(NullFormatter())
+    else:
+        widen(axes)
     axes.set_title(plot["title"], fontsize=10)
     axes.set_xlabel(plot["x_label"])
     axes.set_ylabel(plot["y_label"])
