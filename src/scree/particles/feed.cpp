@@ -8,6 +8,7 @@
 #include "scree/particles/insert_check.h"
 #include "scree/particles/insert_random.h"
 #include "scree/particles/insert_region.h"
+#include "scree/particles/shapes.h"
 
 namespace scree {
 namespace {
@@ -52,6 +53,19 @@ std::vector<double> due_radii(const FeedContext& k, FeedState state) {
 
 double reach_of(const Particles& p, std::size_t i) { return p.motion.row(i)[lane::radius] + p.effect_excess[i]; }
 
+/// A body grown, keeping its shape, until it holds its effect surface, `excess` [m] outside it: that is within a body
+/// grown by as much over the radius of a ball in it, here that in the octahedron between its poles.
+std::optional<sc_body_shape> grown(std::optional<sc_body_shape> body, double excess) {
+  if (body) body->radius += excess * sc_norm(body->form.inverse_axes);
+  return body;
+}
+
+/// Particle i with its effect surface; empty where all are spheres.
+std::optional<sc_body_shape> effect_body(const Particles& p, std::size_t i, const Forms& forms) {
+  if (forms.empty()) return {};
+  return grown(body_shape(p, i, forms), p.effect_excess[i]);
+}
+
 /// The part of the domain that newcomers can touch: the region and `margin` around it; periods stay whole.
 Domain surroundings(const ParticleGroup& group, const Domain& domain, double margin) {
   Domain box = domain;
@@ -87,7 +101,7 @@ OccupiedSpace occupied(const FeedContext& k, std::vector<double> due, const Newc
   OccupiedSpace space(surroundings(k.group, k.setting.domain, widest), due);
   for (const auto& [p, i] : near) {
     const double* x = p->motion.row(i);
-    space.add({x[0], x[1], x[2]}, reach_of(*p, i));
+    space.add({x[0], x[1], x[2]}, reach_of(*p, i), effect_body(*p, i, k.setting.forms));
   }
   return space;
 }
@@ -109,14 +123,17 @@ OccupiedSpace occupied(const FeedContext& k, std::vector<double> due, const Newc
       std::min(k.time, k.feed.until) - next.due, k.feed.max_delay));
 }
 
-/// Tries places for a particle; true, and its place in `newcomer`, if one is free.
-bool find_room(const FeedContext& k, const OccupiedSpace& space, FeedState& state, Newcomer& newcomer) {
-  const double reach = radius_around(k.group.shape, newcomer.diameter) + 0.5 * k.group.effect_gap;
+/// Tries places for a particle; true, and its place in `newcomer`, if one is free, which is then taken.
+bool find_room(const FeedContext& k, OccupiedSpace& space, FeedState& state, Newcomer& newcomer) {
+  const double excess = 0.5 * k.group.effect_gap, reach = radius_around(k.group.shape, newcomer.diameter) + excess;
+  const std::optional<sc_body_shape> body = grown(body_of(k.group, k.feed.group, newcomer, k.setting), excess);
   for (std::uint64_t attempt = 0; attempt < k.group.attempts; ++attempt) {
     newcomer.position =
         random_place(k.group, k.feed.group, newcomer, static_cast<std::uint32_t>(state.tries++), k.setting);
-    if (clear_of_walls(k.setting.walls, newcomer.position, reach) && space.is_free(newcomer.position, reach))
-      return true;
+    if (!clear_of_walls(k.setting.walls, newcomer.position, reach)) continue;
+    if (!space.is_free(newcomer.position, reach, body)) continue;
+    space.add(newcomer.position, reach, body);
+    return true;
   }
   return false;
 }
@@ -128,14 +145,13 @@ void feed(const FeedContext& k, FeedState& state, Newcomers& newcomers) {
   if (due.empty()) return;
   OccupiedSpace space = occupied(k, due, newcomers);
   std::vector<Newcomer> found;
-  for (const double reach : due) {
+  while (found.size() < due.size()) {
     const Next next = next_of(k, state);
     Newcomer newcomer{static_cast<std::uint64_t>(state.count), next.diameter, {}};
     if (!find_room(k, space, state, newcomer)) {
       if (std::min(k.time, k.feed.until) - next.due > k.feed.max_delay) report_delay(k, state, next);
       break;
     }
-    space.add(newcomer.position, reach);
     found.push_back(newcomer);
     take_in(state, next);
   }
