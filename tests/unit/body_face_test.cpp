@@ -75,6 +75,8 @@ TEST(BodyFace, TrianglesAndRectanglesByBruteForce) {
       const Axes h = b.form.half_axes();
       ASSERT_GE(gap.growth, static_cast<double>(best) - 1.8 * step / std::min({h[0], h[1], h[2]}));
       expect_sound(b, m, gap);
+      // The normal goes towards the face, whichever side of it is seen.
+      EXPECT_GT(sc_dot(gap.normal, gap.corners == SC_INSIDE_FACE ? corner[0] : gap.arm), 0);
       ++seen[gap.corners];
     }
   for (const int corners : {1, 2, 4, 1 | 2, 2 | 4, int{SC_INSIDE_FACE}}) EXPECT_GT(seen[corners], 0) << corners;

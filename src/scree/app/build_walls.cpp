@@ -2,14 +2,13 @@
 
 #include "scree/app/build.h"
 #include "scree/app/build_materials.h"
+#include "scree/app/vec3.h"
 #include "scree/app/wall_motion.h"
 #include "scree/input/mesh_file.h"
 #include "scree/input/mesh_weld.h"
 
 namespace scree {
 namespace {
-
-sc_vec vec_of(const Vec3& v) { return sc_make_vec(v[0], v[1], v[2]); }
 
 void add_box(std::vector<sc_wall>& faces, const Vec3& min, const Vec3& max) {
   for (int axis = 0; axis < 3; ++axis)

@@ -9,6 +9,7 @@
 
 #include "scree/app/build.h"
 #include "scree/app/build_walls.h"
+#include "scree/app/vec3.h"
 #include "scree/app/wall_motion.h"
 #include "scree/app/wall_surface.h"
 #include "scree/base/error.h"
@@ -33,8 +34,6 @@ std::array<sc_vec, 8> corners(const sc_vec& low, const sc_vec& high) {
     out[k] = sc_make_vec(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z);
   return out;
 }
-
-sc_vec vec_of(const Vec3& v) { return sc_make_vec(v[0], v[1], v[2]); }
 
 /// Whether a part of that wall, where its pose is now, lies in the domain.
 bool part_is_in(const Walls& walls, const Domain& domain, int body) {
@@ -67,8 +66,9 @@ bool box_comes_in(const FaceBox& home, const sc_wall_pose& pose, const Domain& d
   return now.meets({vec_of(domain.min), vec_of(domain.max)});
 }
 
-/// Whether a particle can ever meet the wall. A wall that moves counts with the box around it.
-bool can_be_met(Walls walls, std::size_t body, WallMotion& motion, const Domain& domain, double end) {
+/// Whether a particle can ever meet the wall. A wall that moves counts with the box around it. The poses of `walls` are
+/// left as they come to be.
+bool can_be_met(Walls& walls, std::size_t body, WallMotion& motion, const Domain& domain, double end) {
   for (std::size_t other = 0; other < walls.poses.size(); ++other) walls.poses[other].present = other == body;
   if (motion.kind == WallMotion::Kind::none || motion.kind == WallMotion::Kind::surface)
     return part_is_in(walls, domain, static_cast<int>(body));
@@ -96,7 +96,7 @@ std::string remedy_for(const WallKeys& wall, double size, double domain_size) {
 }
 
 void remark_on_walls(const Case& c, double reach, std::vector<Remark>& out) {
-  const Walls walls = build_walls(c);
+  Walls walls = build_walls(c);
   const Domain domain = widened(build_domain(c), reach);
   const double domain_size = size_of(vec_of(c.domain.min), vec_of(c.domain.max));
   std::vector<WallMotion> motions = build_wall_motions(c, walls, build_domain(c));

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "scree/app/vec3.h"
 #include "scree/base/error.h"
 #include "scree/physics/math.h"
 
@@ -14,8 +15,6 @@ namespace scree {
 namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
-
-sc_vec vec_of(const Vec3& v) { return sc_make_vec(v[0], v[1], v[2]); }
 
 sc_vec unit(sc_vec v) {
   const double length = sc_norm(v);
