@@ -34,6 +34,9 @@ SC_FN real sc_surface_path(sc_vec shift, sc_quat from, sc_quat to, real reach) {
   return R(1.000001) * (sc_norm(shift) + R(2) * reach * SC_SQRT(sc_quat_square(d)));
 }
 
+/// The way of a surface after another path. Rounding (of doubles) must not hide a path that is short beside the way.
+SC_FN real sc_further(real way, real path) { return path > R(0) ? way + (path + R(2.3e-16) * way) : way; }
+
 /// Moves a body by one step under `force` [N] and `torque` about its centre [N m] of its contacts. Rotation: kick of
 /// the angular momentum, then free rotation, as velocity and position do; the other schemes turn with the mean of the
 /// angular momenta before and after.

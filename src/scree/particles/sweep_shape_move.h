@@ -28,7 +28,8 @@ inline Push push_of(const Gathered& g) {
 inline void store_rotation(const SweepView& v, std::int64_t p, const sc_body_moved& moved) {
   double *q = v.shapes.orientation + 4 * p, *l = v.shapes.angular_momentum + 4 * p, *spin = v.spin + 4 * p;
   store4(q, lane4{moved.orientation.w, moved.orientation.x, moved.orientation.y, moved.orientation.z});
-  store4(l, lane4{moved.angular_momentum.x, moved.angular_momentum.y, moved.angular_momentum.z, l[3] + moved.path});
+  store4(l, lane4{moved.angular_momentum.x, moved.angular_momentum.y, moved.angular_momentum.z,
+                  sc_further(l[3], moved.path)});
   const double radius = v.motion[8 * p + 3];
   if (v.motion[8 * p + 7] > 0)
     store4(spin, lane4{radius * moved.spin.x, radius * moved.spin.y, radius * moved.spin.z, spin[3]});

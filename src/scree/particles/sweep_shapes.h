@@ -46,7 +46,10 @@ inline double way_of(const SweepView& v, const ShapePair& pair) {
 }
 
 /// How far apart their bounding spheres are [m], negative if they overlap. `reach`: the sum of their radii.
-inline double sphere_gap(const sc_vec& branch, double reach) { return (1 - 1e-12) * (sc_norm(branch) - reach); }
+/// Rounding must not make it larger.
+inline double sphere_gap(const sc_vec& branch, double reach) {
+  return (1 - 1e-12) * (sc_norm(branch) - reach) - 1e-14 * reach;
+}
 
 /// How far the surfaces of a pair may go before the two can meet [m]: `gap` is how far apart they are at the nearest
 /// image of the partner, `distance` that of the centres there, `reach` the sum of the bounding radii. No other image is

@@ -34,7 +34,8 @@ void rotate(Particles& p, std::size_t i, HardBody& body, sc_vec shift, double ti
   q[1] = after.x;
   q[2] = after.y;
   q[3] = after.z;
-  momentum[lane::path] += sc_surface_path(shift, before, after, p.motion.row(i)[lane::radius]);
+  double& way = momentum[lane::path];
+  way = sc_further(way, sc_surface_path(shift, before, after, p.motion.row(i)[lane::radius]));
   take_rotation(p, i, body);
 }
 
