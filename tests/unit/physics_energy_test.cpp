@@ -173,7 +173,7 @@ TEST(Symmetry, OnePassWithLawsKnownAtRunTimeGivesTheSameBits) {
     t.normal = sc_scale(1 / sc_norm(t.normal), t.normal);
     t.velocity = random_vec(random, 1);
     t.overlap = t.reach = 1e-6 * (i % 7 - 1);
-    t.mass = 1e-6;
+    t.mass = t.reduced = 1e-6;
     t.radius = 1e-3;
     sc_contact_state s{};
     s.slide = random_vec(random, 1e-6);
@@ -193,7 +193,7 @@ TEST(Law, NothingActsBeyondTheReach) {
     t.overlap = t.reach = -1e-6;
     t.velocity = sc_make_vec(1, -2, 3);
     t.spin = sc_make_vec(5, 6, 7);
-    t.mass = 1e-6;
+    t.mass = t.reduced = 1e-6;
     t.radius = 1e-3;
     const sc_contact_result r = sc_contact_act(laws, pair_law(), t, sc_contact_time{1e-6, 5e-7, 1e-6}, {});
     EXPECT_FALSE(r.action.touching);

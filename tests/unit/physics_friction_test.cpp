@@ -240,7 +240,7 @@ TEST(Mindlin, ACycleOfLoadAndSlideGainsNothing) {
       t.normal = sc_make_vec(1, 0, 0);
       t.velocity = sc_make_vec(approach / (steps * dt), slide / (steps * dt), 0);
       t.overlap = overlap += approach / steps;
-      t.mass = 1;
+      t.mass = t.reduced = 1;
       t.radius = 1e-3;
       const sc_contact_result r = sc_contact_act(laws, p, t, sc_contact_time{dt, 0, dt}, state);
       state = r.state;
@@ -270,7 +270,7 @@ TEST(Rolling, CoupleIsLimitedAndOpposesTheRotation) {
   sc_touch t{};
   t.normal = sc_make_vec(0, 0, 1);
   t.overlap = 1e-5;
-  t.mass = 1e-5;
+  t.mass = t.reduced = 1e-5;
   t.radius = 1e-3;
   t.spin = sc_make_vec(3, 0, 4);
   sc_contact_state state{};

@@ -183,6 +183,27 @@ TEST(ShapeContact, BooksCloseDuringTheContact) {
   EXPECT_LT(fine, coarse / 3) << coarse;
 }
 
+// A dashpot takes what restitution says of the velocity at the contact point, however the bodies turn: stiff bodies
+// come back as hard ones do, whose impulses are known in closed form.
+TEST(ShapeContact, DampedObliqueImpactsAreThoseOfHardBodies) {
+  const std::vector<std::pair<Shape, Shape>> pairs = {{ellipsoid, ellipsoid}, {cylinder, ellipsoid}, {rounded, cube}};
+  int k = 0;
+  for (const auto& [a, b] : pairs)
+    for (const LawChoice& laws : {linear, hertz}) {
+      const std::string text = room_text(laws, 2e-6, laws.hertz ? 5e8 : 3e8, 0.5) + collision_text(a, b, ++k, 5);
+      Simulation soft(case_of(text), one_thread()),
+          hard(case_of(text, {"contact.collision=hard", "simulation.time_step=2e-5"}), one_thread());
+      const Measured before = measured(soft);
+      ASSERT_GT(collide(soft, 100000), 25) << laws.name << k;
+      test::advance(hard, static_cast<int>(soft.clock().step / 10));
+      const Measured after = measured(soft), truth = measured(hard);
+      const double lost = before.kinetic + before.rotational - truth.kinetic - truth.rotational;
+      ASSERT_GT(lost, 0.05 * before.kinetic) << laws.name << k;
+      EXPECT_NEAR(after.kinetic + after.rotational, truth.kinetic + truth.rotational, 0.01 * lost) << laws.name << k;
+      EXPECT_NEAR(after.rotational, truth.rotational, 0.02 * before.kinetic) << laws.name << k;
+    }
+}
+
 TEST(ShapeContact, ExchangeOfTheBodiesChangesNoBit) {
   const std::string room = room_text(rough, 1e-5, 1.2e7, 0.6), both = collision_text(ellipsoid, cube, 2, 20);
   const std::size_t second = both.find("[[particles]]", 1);

@@ -24,9 +24,9 @@ sc_contact_state state_of(const Buffer<std::uint8_t>& active, const Buffer<doubl
   return s;
 }
 
-/// What the energy of a contact needs of a body: no velocities.
+/// What the energy of a contact needs of a body: neither velocities nor moments.
 sc_body_side side_of(const Particles& particles, std::size_t i) {
-  return {sc_zero_vec(), sc_zero_vec(), particles.motion.row(i)[lane::inverse_mass]};
+  return {sc_zero_vec(), sc_zero_vec(), particles.motion.row(i)[lane::inverse_mass], sc_zero_vec(), sc_unit_mat()};
 }
 
 sc_touch touch_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t face) {
@@ -50,7 +50,7 @@ sc_contact_energy energy_of_shape_at_wall(const ParticleSystem& s, std::size_t p
   const double* row = &s.wall_contacts.shape[wall_memory * std::size_t(w)];
   const sc_wall_memory memory{vec_of(row), row[3], row[7]};
   const sc_body_gap gap = gap_of_shape(s, p, w);
-  const sc_body_side wall{sc_zero_vec(), sc_zero_vec(), 0};
+  const sc_body_side wall{sc_zero_vec(), sc_zero_vec(), 0, sc_zero_vec(), sc_unit_mat()};
   const double ratio = sc_wall_ratio(gap, memory);
   const sc_touch touch =
       sc_touch_at(sc_place_at_wall(gap, memory), side_of(s.particles, p), wall, s.particles.effect_excess[p] / ratio);

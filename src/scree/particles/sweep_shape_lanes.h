@@ -13,7 +13,7 @@ struct alignas(64) ShapeLanes {
   std::int32_t which[growth_lanes];
   GrowthLane turn_a[4], turn_b[4], radius_a, axes_a[3], axes_b[3], branch[4], start[4];
   GrowthLane owner_is_a, reach[4];  // 1 or 0; l and R*
-  GrowthLane speed_i[4], speed_j[4], spin_i[4], spin_j[4], slide[4], slid, smaller;
+  GrowthLane speed_i[4], speed_j[4], spin_i[4], spin_j[4], moments_i[4], moments_j[4], slide[4], slid;
   std::int32_t law[growth_lanes];
   // results
   GrowthLane force[4], torque_i[4], torque_j[4], touching, depth;
@@ -50,7 +50,8 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
 
 /// Brings the contacts in `which` side by side.
 [[gnu::always_inline]] inline void load_lanes(const SweepView& v, ShapeLanes& s, GrowthBatch& b) {
-  lane4 turn_a[8], turn_b[8], branch[8], start[8], reach[8], speed_i[8], speed_j[8], spin_i[8], spin_j[8], slide[8];
+  lane4 turn_a[8], turn_b[8], branch[8], start[8], reach[8], speed_i[8], speed_j[8], spin_i[8], spin_j[8], slide[8],
+      moments_i[8], moments_j[8];
   for (int l = 0; l < growth_lanes; ++l) {
     const std::int64_t c = s.which[l], i = v.owner[c], j = v.partner[c];
     const bool from_owner = starts_from_owner(v, i, j);
@@ -67,7 +68,8 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
     spin_j[l] = load4(v.spin + 4 * j);
     slide[l] = load4(v.slide + 4 * c);
     s.slid[l] = v.active[c] >> 1;
-    s.smaller[l] = SC_MIN(v.shapes.inertia[4 * i + 3], v.shapes.inertia[4 * j + 3]);
+    moments_i[l] = load4(v.shapes.inertia + 4 * i);
+    moments_j[l] = load4(v.shapes.inertia + 4 * j);
     s.law[l] = v.material[i] * v.materials + v.material[j];
     set_forms(v, s, b, l, a, o);
   }
@@ -80,6 +82,8 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
   put_columns(s.speed_j, speed_j);
   put_columns(s.spin_i, spin_i);
   put_columns(s.spin_j, spin_j);
+  put_columns(s.moments_i, moments_i);
+  put_columns(s.moments_j, moments_j);
   put_columns(s.slide, slide);
 }
 
@@ -105,15 +109,20 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
   keep_search(b, i, sc_growth_search_from({lane_vec(s.start, i), s.start[3][i]}));
 }
 
-[[gnu::always_inline]] inline sc_body_side lane_side(const GrowthLane* speed, const GrowthLane* spin, int i) {
-  return {lane_vec(speed, i), sc_scale(spin[3][i], lane_vec(spin, i)), speed[3][i]};
+[[gnu::always_inline]] inline sc_mat choose_mat(bool first, sc_mat a, sc_mat b) {
+  return {sc_choose_vec(first, a.x, b.x), sc_choose_vec(first, a.y, b.y), sc_choose_vec(first, a.z, b.z)};
+}
+
+[[gnu::always_inline]] inline sc_body_side lane_side(const GrowthLane* speed, const GrowthLane* spin,
+                                                     const GrowthLane* moments, sc_mat turn, int i) {
+  return {lane_vec(speed, i), sc_scale(spin[3][i], lane_vec(spin, i)), speed[3][i], lane_vec(moments, i), turn};
 }
 
 /// The contact of lane i, after its search: act_as_meeting() for one that goes on.
 [[gnu::always_inline]] inline void act_on_lane(ShapeLanes& s, const GrowthBatch& b, int i, const sc_laws laws,
                                                const sc_pair_law* table, const sc_contact_time time) {
-  const sc_shape_touch found =
-      sc_touch_in_world(lane_axes(s.turn_a, i), lane_vec(s.branch, i), sc_growth_touch_of(lane_search(b, i)));
+  const sc_mat turn_a = lane_axes(s.turn_a, i), turn_b = lane_axes(s.turn_b, i);
+  const sc_shape_touch found = sc_touch_in_world(turn_a, lane_vec(s.branch, i), sc_growth_touch_of(lane_search(b, i)));
   const bool from_owner = s.owner_is_a[i] != R(0);
   sc_contact_place place;
   place.normal = sc_scale(from_owner ? R(1) : R(-1), found.normal);
@@ -122,8 +131,10 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
   place.arm_b = sc_choose_vec(from_owner, found.arm_second, found.arm);
   place.radius = s.reach[1][i];
   const sc_pair_law law = sc_law_of_growth(table[s.law[i]], sc_growth_ratio(s.reach[0][i], found));
+  const sc_body_side owner = lane_side(s.speed_i, s.spin_i, s.moments_i, choose_mat(from_owner, turn_a, turn_b), i);
+  const sc_body_side partner = lane_side(s.speed_j, s.spin_j, s.moments_j, choose_mat(from_owner, turn_b, turn_a), i);
   // There are lanes for laws without cohesion only.
-  const sc_touch touch = sc_touch_at(place, lane_side(s.speed_i, s.spin_i, i), lane_side(s.speed_j, s.spin_j, i), R(0));
+  const sc_touch touch = sc_touch_at(place, owner, partner, R(0));
   sc_contact_state before;
   before.slide = lane_vec(s.slide, i);
   before.approach = s.slide[3][i];
@@ -143,7 +154,7 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
   s.slide[3][i] = r.state.approach;
   s.slid[i] = r.state.slid;
   s.touching[i] = r.action.touching ? R(1) : R(0);
-  s.depth[i] = place.overlap / s.smaller[i];
+  s.depth[i] = place.overlap / SC_MIN(s.moments_i[3][i], s.moments_j[3][i]);
 }
 
 template <int Normal, int Tangential>

@@ -118,7 +118,7 @@ inline const sc_pair_law& law_at_wall(const AmongWalls& a, std::int32_t w) {
 /// The wall as partner B of a contact, `arm` from its pivot.
 inline sc_body_side side_of_wall(const sc_wall_pose& pose, const sc_vec& arm, const sc_vec& normal) {
   const sc_vec speed = pose.moves ? sc_wall_speed(pose, pose.velocity, pose.spin, arm, normal) : sc_zero_vec();
-  return {speed, pose.moves ? pose.spin : sc_zero_vec(), 0};
+  return {speed, pose.moves ? pose.spin : sc_zero_vec(), 0, sc_zero_vec(), sc_unit_mat()};
 }
 
 /// Remembers where a contact is: on the wall, and from the centre of the body.

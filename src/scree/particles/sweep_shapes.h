@@ -22,7 +22,8 @@ namespace {
 
 [[gnu::always_inline]] inline sc_body_side side_at(const SweepView& v, std::int64_t p) {
   const double *m = v.motion + 8 * p, *spin = v.spin + 4 * p;
-  return {vec_of(m + 4), sc_scale(spin[3], vec_of(spin)), m[7]};
+  return {vec_of(m + 4), sc_scale(spin[3], vec_of(spin)), m[7], vec_of(v.shapes.inertia + 4 * p),
+          sc_quat_mat(orientation_at(v, p))};
 }
 
 inline bool is_sphere(const SweepView& v, std::int64_t p) { return v.shapes.form[p] == 0; }

@@ -24,7 +24,7 @@ struct alignas(64) Stages {
   t.normal = sc_make_vec(m.nx[i], m.ny[i], m.nz[i]);
   t.velocity = sc_make_vec(m.vx[i], m.vy[i], m.vz[i]);
   t.spin = rolls ? sc_make_vec(b.wx[i], b.wy[i], b.wz[i]) : sc_zero_vec();
-  t.mass = m.mass[i];
+  t.mass = t.reduced = m.mass[i];
   t.radius = m.radius[i];
   t.overlap = t.reach = R(0);  // the normal law alone needs them
   return t;

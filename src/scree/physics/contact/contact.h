@@ -68,7 +68,8 @@ typedef struct {
   real reach;       // overlap of the effect surfaces, delta_e [m]
   sc_vec velocity;  // of A relative to B at the contact point [m/s]
   sc_vec spin;      // angular velocity of A minus that of B [rad/s]; read by rolling and twisting laws only
-  real mass;        // reduced mass [kg]
+  real mass;        // which the normal force accelerates at the contact point; of spheres the reduced mass [kg]
+  real reduced;     // reduced mass [kg]
   real radius;      // effective radius R* [m]
 } sc_touch;
 

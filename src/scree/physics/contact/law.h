@@ -76,7 +76,7 @@ SC_FN sc_friction_action sc_rub(sc_laws laws, sc_pair_law p, sc_touch t, sc_grip
   if (laws.tangential == SC_TANGENTIAL_SLIDING) return sc_tangential_sliding(f, time);
   if (laws.tangential == SC_TANGENTIAL_STEP_SPRING) return sc_tangential_step_spring(f, p, time);
   const int damped = laws.tangential == SC_TANGENTIAL_COLLISION_SPRING_DAMPED;
-  return sc_tangential_collision_spring(f, p, t.mass, g.normal_stiffness, damped, time);
+  return sc_tangential_collision_spring(f, p, t.reduced, g.normal_stiffness, damped, time);
 }
 
 /// Adds the tangential force.
@@ -98,7 +98,7 @@ SC_FN sc_contact_result sc_resist_sliding(sc_laws laws, sc_pair_law p, sc_touch 
   } else if (laws.tangential != SC_TANGENTIAL_NONE) {
     sc_friction f;
     f.velocity = sc_add_scaled(t.velocity, -g.memory.approach, t.normal);
-    f.mass = R(2.0 / 7.0) * t.mass;
+    f.mass = R(2.0 / 7.0) * t.reduced;
     f.sticking = sticking;
     f.sliding = sliding;
     const sc_friction_action rub = sc_rub(laws, p, t, g, f, time);

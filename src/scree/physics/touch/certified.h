@@ -1,11 +1,12 @@
 // Whether two superellipsoids touch, with a proof, and how.
 //
 // Newton's method from the last point or from the line of centres; where it does not come to a verdict the portal, and
-// Newton's method again from what that has found. Nothing is left open.
+// Newton's method again from what that has found; and cuts where bodies have edges and next to no curvature. Nothing is
+// left open.
 #ifndef SCREE_PHYSICS_TOUCH_CERTIFIED_H
 #define SCREE_PHYSICS_TOUCH_CERTIFIED_H
 
-#include "scree/physics/touch/portal.h"
+#include "scree/physics/touch/cuts.h"
 
 /// How two bodies meet, in the frame of A.
 typedef struct {
@@ -40,8 +41,9 @@ SC_FN sc_growth_touch sc_growth_touch_of(sc_growth_search s) {
   return out;
 }
 
-/// What the portal has ended with.
-SC_FN sc_growth_touch sc_growth_touch_of_portal(sc_growth_pair p, const sc_portal* portal, real low, real high) {
+/// What the portal has ended with, and the point where `high` was found.
+SC_FN sc_growth_touch sc_growth_touch_of_portal(sc_growth_pair p, const sc_portal* portal, sc_vec point, real low,
+                                                real high) {
   const real inverse = R(1) / sc_norm(portal->best);
   sc_growth_touch out;
   const int touching = high < p.limit - p.rounding;
@@ -50,10 +52,18 @@ SC_FN sc_growth_touch sc_growth_touch_of_portal(sc_growth_pair p, const sc_porta
   out.low = low;
   out.high = high;
   out.growth = portal->low;
-  out.start = sc_portal_point(portal);
+  out.start.point = point;
+  out.start.share = portal->share;
   out.normal = sc_scale(inverse, portal->best);
   out.support = sc_dot(out.normal, p.branch) / portal->low;
   return out;
+}
+
+/// What cuts find where neither the portal nor Newton's method comes to an end.
+SC_FN sc_growth_touch sc_growth_by_cuts(sc_growth_pair p, sc_portal portal, real low, real high) {
+  sc_cut_directions(&portal, p);
+  const sc_cut_point found = sc_cut_points(p, sc_portal_point(&portal).point, high);
+  return sc_growth_touch_of_portal(p, &portal, found.point, SC_MAX(low, portal.low), found.high);
 }
 
 /// The portal with Newton's method from its points.
@@ -78,7 +88,8 @@ SC_FN sc_growth_touch sc_growth_by_portal(sc_growth_pair p, real low, real high)
     sc_portal_stir(&portal, p, part);
     part = R(0.2) * part;
   }
-  return sc_growth_touch_of_portal(p, &portal, low, high);
+  if (!sc_growth_judge(low, high, p.limit, p.rounding).decided) return sc_growth_by_cuts(p, portal, low, high);
+  return sc_growth_touch_of_portal(p, &portal, sc_portal_point(&portal).point, low, high);
 }
 
 /// Bodies with the same centre: there is no direction, so it is that of the x axis of A.

@@ -41,7 +41,7 @@ SC_FN sc_sphere_touch sc_touch_spheres(sc_sphere_pair p) {
   out.touch.reach = out.touch.overlap + p.excess;
   out.touch.velocity = sc_add_scaled(p.velocity, distance * per_lengths, sc_cross(p.rim_speed, p.branch));
   out.touch.spin = p.spin;
-  out.touch.mass = p.inverse_radius * per_inverses;
+  out.touch.mass = out.touch.reduced = p.inverse_radius * per_inverses;
   out.touch.radius = p.inverse_mass * per_inverses;
   return out;
 }

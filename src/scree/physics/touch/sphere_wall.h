@@ -81,7 +81,7 @@ SC_FN sc_sphere_touch sc_touch_wall_at(sc_sphere_wall s, sc_wall_pose pose, sc_w
     out.touch.velocity = sc_sub(out.touch.velocity, sc_wall_speed(pose, pose.velocity, pose.spin, arm, gap.normal));
     out.touch.spin = sc_sub(s.spin, pose.spin);
   }
-  out.touch.mass = R(1) / s.inverse_mass;
+  out.touch.mass = out.touch.reduced = R(1) / s.inverse_mass;
   out.touch.radius = s.radius;
   return out;
 }

@@ -28,7 +28,7 @@ SC_FN sc_vec sc_turn_stretch(sc_vec stretch, sc_vec normal) {
 SC_FN sc_spring sc_turning_spring(sc_turning law, sc_touch t, sc_vec stretch, sc_vec spin, sc_contact_memory m) {
   sc_spring out;
   const real square = t.radius * t.radius;
-  out.mass = R(0.4) * t.mass * square;
+  out.mass = R(0.4) * t.reduced * square;
   out.stiffness = law.stiffness * square;
   const real damping = R(2) * law.damping * SC_SQRT(out.stiffness * out.mass);
   out.damping = m.weight * damping;

@@ -18,10 +18,10 @@ SC_FN real sc_tangential_stiffness(int grows, sc_pair_law p, real area_radius) {
 SC_FN sc_spring sc_tangential_history(int grows, sc_pair_law p, sc_touch t, real area_radius, sc_contact_memory m) {
   sc_spring out;
   const real share = R(2.0 / 7.0);
-  out.mass = share * t.mass;
+  out.mass = share * t.reduced;
   out.stiffness = sc_tangential_stiffness(grows, p, area_radius);
-  const real root = grows ? SC_SQRT(R(8) * share * p.shear) * SC_SQRT(area_radius * t.mass)
-                          : SC_SQRT(share * p.tangential_stiffness * t.mass);
+  const real root = grows ? SC_SQRT(R(8) * share * p.shear) * SC_SQRT(area_radius * t.reduced)
+                          : SC_SQRT(share * p.tangential_stiffness * t.reduced);
   const real damping = R(2) * p.tangential_damping * root;
   out.damping = m.weight * damping;
   // Its mean since the last evaluation; damping goes with the root of the stiffness.
