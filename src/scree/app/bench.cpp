@@ -18,6 +18,7 @@
 #include "scree/base/error.h"
 #include "scree/base/version.h"
 #include "scree/input/suggest.h"
+#include "scree/mpi/ranks.h"
 
 namespace scree {
 namespace {
@@ -90,7 +91,7 @@ int bench(const BenchOptions& options) {
   check_names(names);
   check_options(options, names);
   std::vector<int> threads = {options.threads > 0 ? options.threads : 1};
-  if (options.threads == 0 && available_processors() > 1) threads.push_back(available_processors());
+  if (options.threads == 0 && processors_alone().mine > 1) threads.push_back(processors_alone().mine);
   nlohmann::json figures = nlohmann::json::array();
   for (const std::string& name : names) measure(name, threads, options, figures);
   fs::path file = options.json;

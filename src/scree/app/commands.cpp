@@ -65,11 +65,13 @@ std::string refusal_of(const Case& c) {
   }
 }
 
-Command declare_run(CLI::App& app) {
+Command declare_run(CLI::App& app, const RanksOfRun& processes) {
   CLI::App* c = app.add_subcommand("run", "Run a case");
   auto arguments = std::make_shared<CaseArguments>();
   auto options = std::make_shared<RunOptions>();
   auto plot = std::make_shared<bool>(false);
+  options->ranks = processes.ranks();
+  options->processors = processes.processors();
   arguments->declare(*c);
   c->add_option("-o,--output", options->directory, "directory of the results [runs/NAME]");
   c->add_flag("--force", options->force, "replace the results of an earlier run in that directory");
@@ -81,7 +83,7 @@ Command declare_run(CLI::App& app) {
              "pause with a checkpoint before this much time has passed: \"90 s\", \"1.5 h\", 2:30:00; the same command "
              "line goes on",
              options->wall_time, read_duration);
-  add_option(*c, "--threads", "threads [all that this process may use]", options->threads, read_count);
+  add_option(*c, "--threads", "threads of each process [its share of the processors]", options->threads, read_count);
   c->add_flag("--quiet", options->quiet, "print nothing but errors");
   c->add_flag("--plot", *plot, "draw series.png and particles.png at the end");
   return {"run", [=] {
@@ -91,7 +93,7 @@ Command declare_run(CLI::App& app) {
             if (options->directory.empty()) options->directory = default_directory(arguments->file);
             const RunResult result = run_case(loaded, *options);
             if (!result.summary.reason.empty()) std::fprintf(stderr, "%s\n", result.summary.reason.c_str());
-            if (*plot && result.status == Exit::success) plot_run(options->directory);
+            if (*plot && options->ranks.root() && result.status == Exit::success) plot_run(options->directory);
             return static_cast<int>(result.status);
           }};
 }
@@ -190,9 +192,9 @@ Command declare_plot(CLI::App& app) {
 
 }  // namespace
 
-Commands make_commands(CLI::App& app) {
-  return {declare_run(app),     declare_check(app), declare_verify(app), declare_bench(app),
-          declare_explain(app), declare_info(app),  declare_new(app),    declare_plot(app)};
+Commands make_commands(CLI::App& app, const RanksOfRun& processes) {
+  return {declare_run(app, processes), declare_check(app), declare_verify(app), declare_bench(app),
+          declare_explain(app),        declare_info(app),  declare_new(app),    declare_plot(app)};
 }
 
 }  // namespace scree

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "scree/mpi/ranks.h"
+
 namespace CLI {
 class App;
 }
@@ -19,7 +21,7 @@ struct Command {
 
 using Commands = std::vector<Command>;
 
-/// Declares all subcommands.
-Commands make_commands(CLI::App& app);
+/// Declares all subcommands. `processes` are those that share a run.
+Commands make_commands(CLI::App& app, const RanksOfRun& processes);
 
 }  // namespace scree

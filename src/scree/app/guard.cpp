@@ -158,8 +158,12 @@ void guard_fields(const Particles& particles, const Buffer<sc_field>& field, dou
   }
 }
 
+bool is_sound(const SweepFindings& findings, double max_overlap) {
+  return findings.sound && findings.inside && findings.deepest <= max_overlap;
+}
+
 void guard_step(const ParticleSystem& system, const SweepFindings& findings, double max_overlap, double time) {
-  if (findings.sound && findings.inside && findings.deepest <= max_overlap) return;
+  if (is_sound(findings, max_overlap)) return;
   if (!findings.sound) report_unsound(system.particles, time);
   if (findings.deepest > max_overlap) report_deep(system, findings.deepest, max_overlap, time);
   report_lost(system, time);

@@ -6,6 +6,9 @@
 
 namespace scree {
 
+/// Whether a step has left nothing to complain of.
+bool is_sound(const SweepFindings& findings, double max_overlap);
+
 /// Throws PhysicsError if the step that `findings` reports left a speed that is no number, an overlap deeper than
 /// `max_overlap` (a fraction of the smaller radius), or a particle outside the domain. `time` is the time
 /// after the step [s].

@@ -9,6 +9,7 @@
 #include "scree/app/data_files.h"
 #include "scree/app/run.h"
 #include "scree/base/version.h"
+#include "scree/mpi/ranks.h"
 #include "scree/particles/sweep.h"
 
 namespace scree {
@@ -29,7 +30,7 @@ std::string info_text() {
   line("OpenSSL", OpenSSL_version(OPENSSL_VERSION_STRING));
   line("instruction set", sweep_kernels({}, 1).name);
   line("processors",
-       fmt::format("{} (this process may use {})", sysconf(_SC_NPROCESSORS_ONLN), available_processors()));
+       fmt::format("{} (this process may use {})", sysconf(_SC_NPROCESSORS_ONLN), processors_alone().mine));
   line("memory", fmt::format("{:.1f} GiB", memory / (1024.0 * 1024.0 * 1024.0)));
   line("system", fmt::format("{} {} {}", system.sysname, system.release, system.machine));
   line("examples", data_directory("examples").string());

@@ -60,8 +60,8 @@ Measures::Measures(const Case& c, const Clock& clock, const std::filesystem::pat
 void Measures::look(Simulation& simulation) {
   const Clock& clock = simulation.clock();
   if (seen_step_ == clock.step) return;
-  const ParticleSystem& system = simulation.system();
   if (!planes_.empty()) {
+    const ParticleSystem& system = simulation.whole();
     const Stopwatch watch(simulation.stages(), "planes");
     for (Plane& plane : planes_) plane.watch.look(system.particles, system.domain, clock.dt, seen_step_ < 0);
   }

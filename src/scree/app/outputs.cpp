@@ -176,7 +176,7 @@ void Outputs::save_books(Archive& archive) const {
   archive.set("case", record_);
 }
 
-void Outputs::write_checkpoint(const Simulation& simulation) {
+void Outputs::write_checkpoint(Simulation& simulation) {
   const Clock& clock = simulation.clock();
   checkpoint_due_ = next_due(clock.step, case_.output.checkpoints, clock.dt);
   if (checkpoint_step_ == clock.step) return;
@@ -198,7 +198,7 @@ std::string Outputs::write_last_good() const {
 }
 
 bool Outputs::show_failure(Simulation& simulation) {
-  if (!books_ || !is_finite(simulation.system().particles)) return false;
+  if (!books_ || !is_finite(simulation.whole().particles)) return false;
   try {
     take_stock(simulation);
   } catch (const PhysicsError&) {

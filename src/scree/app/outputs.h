@@ -29,7 +29,7 @@ class Outputs {
   void write_due(Simulation& simulation);
 
   /// Writes a checkpoint of the present state and removes old ones.
-  void write_checkpoint(const Simulation& simulation);
+  void write_checkpoint(Simulation& simulation);
 
   /// Writes the state that the last row of the series saw, for when the present one is lost, unless a later checkpoint
   /// is there. Returns the file's name.

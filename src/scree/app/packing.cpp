@@ -15,6 +15,7 @@
 #include "scree/base/atomic_file.h"
 #include "scree/base/error.h"
 #include "scree/input/load.h"
+#include "scree/mpi/ranks.h"
 #include "scree/output/run_directory.h"
 
 namespace scree {
@@ -62,7 +63,7 @@ std::vector<std::string> make_packing(const BenchScene& scene, const std::string
   options.force = true;
   const RunResult result = run_case(c, options);
   if (result.status != Exit::success) throw PhysicsError("the packing could not be made: " + result.summary.reason);
-  Simulation last(c, available_processors());
+  Simulation last(c, processors_alone().mine);
   last.restore(read_archive(*newest_checkpoint(options.directory).path));
   const FrameData found = frame_data(last.sample(), false);
   for (std::size_t g = 0; g < tables.size(); ++g)

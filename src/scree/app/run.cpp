@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 #include <omp.h>
-#include <sched.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "scree/app/build_exchange.h"
 #include "scree/app/derived.h"
 #include "scree/app/memory_need.h"
 #include "scree/app/restart.h"
@@ -16,6 +16,7 @@
 #include "scree/base/memory.h"
 #include "scree/base/version.h"
 #include "scree/input/checks.h"
+#include "scree/input/located.h"
 #include "scree/input/write.h"
 
 namespace scree {
@@ -42,15 +43,16 @@ std::vector<std::pair<std::string, double>> ledger_of(const Outputs& outputs) {
 }
 
 void fill_summary(const RunLoop& run, Summary& s) {
-  const Simulation& sim = run.simulation;
+  Simulation& sim = run.simulation;
   s.stages.assign(sim.stages().begin(), sim.stages().end());
   s.steps = static_cast<std::uint64_t>(sim.clock().step) - s.first_step;
   s.time = sim.clock().now();
   s.time_step = sim.clock().dt;
-  s.particles = sim.system().particles.size();
+  s.particles = static_cast<std::uint64_t>(sim.particles());
   s.particle_steps = run.particle_steps;
   s.contacts = static_cast<std::uint64_t>(sim.tally().contacts);
   s.wall_contacts = static_cast<std::uint64_t>(sim.tally().wall_contacts);
+  s.ranks = sim.ranks().count();
   s.threads = sim.threads();
   s.ledger = ledger_of(run.outputs);
   s.state_hash = sim.state_hash();
@@ -69,7 +71,7 @@ void say_end(const RunResult& result, const RunOptions& options) {
 
 /// Threads asked for, or the processors at hand. More than a few per processor can only be a mistake.
 int threads_of(const RunOptions& options) {
-  const int processors = available_processors(), most = std::max(64, 4 * processors);
+  const int processors = options.processors.mine, most = std::max(64, 4 * processors);
   if (options.threads > most)
     throw InputError(fmt::format("--threads {}: this process may use {} processors; give at most {}", options.threads,
                                  processors, most));
@@ -180,28 +182,45 @@ void finish_summary(const RunDirectory& directory, RunResult& result) {
     result.summary.reason += second_attempt(write);
 }
 
-}  // namespace
-
-int available_processors() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  if (sched_getaffinity(0, sizeof set, &set) == 0) return std::max(1, CPU_COUNT(&set));
-  return omp_get_num_procs();
+/// What is not there yet on several ranks.
+void refuse_on_ranks(const Case& c, const Ranks& ranks) {
+  if (ranks.alone()) return;
+  const auto refuse = [&](const char* key, const char* what) {
+    throw error_at(c, key,
+                   {"E191",
+                    {},
+                    fmt::format("{} are not there yet on several ranks", what),
+                    "",
+                    "run the case without mpirun: one process uses all processors of its machine"});
+  };
+  if (is_hard(c)) refuse("contact.collision", "hard collisions");
+  if (!build_outlets(c).empty() || !build_feeds(c).empty()) refuse("simulation.exchange_every", "feeds and outlets");
 }
 
-RunResult run_case(const Case& c, const RunOptions& options) {
-  const auto begin = WallClock::now();
-  const double end = options.until.value_or(c.simulation.end);
-  const int threads = threads_of(options);
-  omp_set_num_threads(threads);
-  const Beginning beginning = find_beginning(c, options, end);
+/// What it means for the run if the ranks of this machine may not use all of its processors; empty if they may.
+std::string idle_processors(const Processors& p, int threads) {
+  if (p.ranks == 1 || p.used >= p.there || threads > 1) return {};
+  return fmt::format(
+      "the {} ranks of this machine may use {} of its {} processors: mpirun binds them. To use all, give mpirun "
+      "`--bind-to none`, or `--map-by slot:pe={}`",
+      p.ranks, p.used, p.there, std::max(1, p.there / p.ranks));
+}
+
+/// Says what is to be known before a run begins.
+void announce(const Case& c, const RunOptions& options, const Beginning& beginning, int threads) {
+  if (!options.ranks.root()) return;
   for (const std::string& warning : beginning.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  if (!options.quiet && !beginning.announcement.empty()) std::fprintf(stderr, "%s\n", beginning.announcement.c_str());
-  if (beginning.nothing_to_do) return {};
-  if (const std::string refusal = memory_refusal(c, available_memory()); !refusal.empty()) throw ResourceError(refusal);
-  if (!options.quiet && !beginning.archive) say_warnings(c, options.directory);
-  Simulation simulation(c, threads, beginning.archive ? &*beginning.archive : nullptr);
-  if (beginning.archive) simulation.restore(*beginning.archive);
+  if (options.quiet) return;
+  if (!beginning.announcement.empty()) std::fprintf(stderr, "%s\n", beginning.announcement.c_str());
+  if (const std::string idle = idle_processors(options.processors, threads); !idle.empty())
+    std::fprintf(stderr, "warning: %s\n", idle.c_str());
+  if (!beginning.nothing_to_do && !beginning.archive) say_warnings(c, options.directory);
+}
+
+/// The run as the root conducts it and as it is written.
+RunResult conduct(Simulation& simulation, const Beginning& beginning, const RunOptions& options,
+                  WallClock::time_point begin, double end) {
+  const Case& c = simulation.input();
   const std::int64_t last_step = end_step(end, simulation.clock().dt);
   const RunDirectory directory(options.directory, beginning.existing, c.path);
   if (beginning.archive) directory.drop_checkpoints_after(static_cast<std::uint64_t>(simulation.clock().step));
@@ -223,6 +242,36 @@ RunResult run_case(const Case& c, const RunOptions& options) {
   finish_summary(directory, result);
   result.balance = outputs.balance();
   if (!options.quiet) say_end(result, options);
+  return result;
+}
+
+/// What ranks other than the root do: signals are the root's affair.
+RunResult follow(Simulation& simulation) {
+  const InterruptGuard interrupt;
+  RunResult result;
+  result.status = static_cast<Exit>(simulation.follow());
+  return result;
+}
+
+}  // namespace
+
+RunResult run_case(const Case& c, const RunOptions& options) {
+  const auto begin = WallClock::now();
+  const double end = options.until.value_or(c.simulation.end);
+  const int threads = threads_of(options);
+  omp_set_num_threads(threads);
+  refuse_on_ranks(c, options.ranks);
+  const Beginning beginning = find_beginning(c, options, end);
+  announce(c, options, beginning, threads);
+  if (beginning.nothing_to_do) return {};
+  if (const std::string refusal = memory_refusal(c, available_memory()); !refusal.empty()) throw ResourceError(refusal);
+  Simulation simulation(c, threads, beginning.archive ? &*beginning.archive : nullptr, options.ranks);
+  if (beginning.archive) simulation.restore(*beginning.archive);
+  // The root writes into the directory when all have read what is there.
+  options.ranks.all(true);
+  if (!options.ranks.root()) return follow(simulation);
+  RunResult result = conduct(simulation, beginning, options, begin, end);
+  simulation.dismiss(static_cast<std::int64_t>(result.status));
   return result;
 }
 

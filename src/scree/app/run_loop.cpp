@@ -43,7 +43,7 @@ Stop RunLoop::advance(const InterruptGuard& interrupt, Progress* progress) {
     if (outputs.agglomerated()) return Stop::condition;
     simulation.step();
     const double step = lap();
-    particle_steps += simulation.system().particles.size();
+    particle_steps += static_cast<std::uint64_t>(simulation.particles());
     outputs.write_due(simulation);
     limit.note(step, lap());
     if (progress && progress->due())

@@ -9,9 +9,10 @@
 #include "scree/app/take_over.h"
 
 namespace scree {
-Simulation::Simulation(const Case& c, Team team, const Archive* resumed)
+Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const Ranks& ranks)
     : case_(c),
       team_(team),
+      ranks_(ranks),
       fields_(build_fields(c)),
       system_(build_system(case_, fields_, resumed ? Takeover::skip : Takeover::read)),
       exchange_(c, static_cast<std::int64_t>(system_.particles.size())) {
@@ -26,14 +27,20 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed)
   clock_.dt = resumed && takes_over(c) ? resumed->number("time_step") : time_step_of(c, system_.materials, kinds);
   typical_impact_ = scree::typical_impact(c, system_.materials, kinds);
   sample_.with_contact_forces = c.output.contacts || !c.analysis.averages.empty();
+  if (!resumed) settle();
+}
+
+void Simulation::step() {
+  call(Call::step);
+  advance();
 }
 
 // The table of contents of the program: what happens in a step, in order.
-void Simulation::step() {
+void Simulation::advance() {
   move_walls(clock_.now());
   exchange_particles();
   refresh_neighbours();
-  look_ahead(prescribed_, system_.particles, clock_.now(), clock_.dt);
+  if (!prescribed_.empty()) together([&] { look_ahead(prescribed_, system_.particles, clock_.now(), clock_.dt); });
   system_.hard ? collide_particles() : advance_particles();
   move_prescribed_bodies();
   clock_.advance();
@@ -49,7 +56,7 @@ void Simulation::move_walls(double time) {
 void Simulation::exchange_particles() {
   if (!exchange_.due(clock_.step)) return;
   refresh_neighbours();
-  evaluate_fields(clock_.now());
+  evaluate_own_fields(clock_.now());
   const Stopwatch watch(stages_, "exchange");
   const sc_field* field = fields_matter() ? field_.data() : nullptr;
   const Moment moment = moment_of(move_now(), contact_time_now(), clock_.now());
@@ -62,23 +69,28 @@ void Simulation::refresh_neighbours() {
   refresh_lists(system_, lists_, team_);
 }
 
-void Simulation::evaluate_fields(double time) {
+void Simulation::evaluate_fields(const ParticleSystem& system, double time, Buffer<sc_field>& field) {
   if (!fields_matter()) return;
   const Stopwatch watch(stages_, "fields");
-  evaluate(fields_, system_.particles, time, lists_.kernels, field_);
-  if (may_fail(fields_)) guard_fields(system_.particles, field_, time);
-  set_accelerations(prescribed_, system_.particles, time, move_now().lag, field_);
+  evaluate(fields_, system.particles, time, lists_.kernels, field);
+  if (may_fail(fields_)) guard_fields(system.particles, field, time);
+  set_accelerations(prescribed_, system.particles, time, move_now().lag, field);
+}
+
+void Simulation::evaluate_own_fields(double time) {
+  const auto look = [&] { evaluate_fields(system_, time, field_); };
+  may_fail(fields_) || !prescribed_.empty() ? together(look) : look();
 }
 
 /// Contacts, kick and drift in one pass: each tile of particles passes through the cache once.
 void Simulation::advance_particles() {
-  evaluate_fields(clock_.now());
+  evaluate_own_fields(clock_.now());
   const Stopwatch watch(stages_, "contacts and motion");
   const sc_field* field = fields_matter() ? field_.data() : nullptr;
   const SweepView view = view_of(system_, lists_, move_now(), contact_time_now(), field);
   // The trapezoidal rule moves a particle by the mean of its speeds before and after.
   const double before2 = move_now().scheme == SC_LEAPFROG ? 0.0 : findings_.fastest2;
-  take(sweep(lists_.kernels, view, lists_.plan));
+  take(pass(system_, lists_, view));
   note_ways(std::sqrt(std::max(before2, findings_.fastest2)) * clock_.dt);
 }
 
@@ -92,7 +104,7 @@ void Simulation::collide_particles() {
   }
   const double middle = clock_.now() + 0.5 * clock_.dt;
   move_walls(middle);
-  evaluate_fields(middle);
+  evaluate_own_fields(middle);
   const Stopwatch watch(stages_, "contacts and motion");
   const sc_field* field = fields_matter() ? field_.data() : nullptr;
   sc_move in_the_middle = move;
@@ -104,6 +116,7 @@ void Simulation::collide_particles() {
 
 /// Takes and counts what a step has found.
 void Simulation::take(SweepFindings findings) {
+  own_findings_ = findings;
   findings_ = agree(ranks_, findings);
   tally_.contacts += findings_.contacts;
   tally_.wall_contacts += findings_.wall_contacts;
@@ -127,7 +140,8 @@ void Simulation::move_prescribed_bodies() {
 }
 
 void Simulation::guard() const {
-  guard_step(system_, findings_, case_.simulation.max_overlap, clock_.now());
+  const double limit = case_.simulation.max_overlap;
+  if (!is_sound(findings_, limit)) together([&] { guard_step(system_, own_findings_, limit, clock_.now()); });
   if (system_.hard) guard_stride(system_, hard_.stride, clock_.dt, clock_.now());
 }
 
@@ -155,11 +169,26 @@ sc_contact_time Simulation::contact_time_now() const {
 
 const Sample& Simulation::sample() {
   if (sampled_step_ == clock_.step) return sample_;
-  move_walls(clock_.now());
-  refresh_neighbours();
-  evaluate_fields(clock_.now());
+  // Of several ranks the root looks at the whole, with lists of its own.
+  const bool alone = ranks_.alone();
+  if (alone) {
+    move_walls(clock_.now());
+    refresh_neighbours();
+  } else {
+    whole();
+  }
+  ContactLists whole_lists;
+  Buffer<sc_field> whole_field;
+  if (!alone) {
+    whole_lists = prepare_lists(whole_, case_.simulation.skin);
+    refresh_lists(whole_, whole_lists, team_);
+  }
+  const ParticleSystem& system = alone ? system_ : whole_;
+  ContactLists& lists = alone ? lists_ : whole_lists;
+  Buffer<sc_field>& field = alone ? field_ : whole_field;
+  evaluate_fields(system, clock_.now(), field);
   const Stopwatch watch(stages_, "samples");
-  take_sample(system_, lists_, move_now(), contact_time_now(), fields_matter() ? field_.data() : nullptr, sample_);
+  take_sample(system, lists, move_now(), contact_time_now(), fields_matter() ? field.data() : nullptr, sample_);
   set_velocities(prescribed_, sample_.system.particles, clock_.now());
   sampled_step_ = clock_.step;
   return sample_;

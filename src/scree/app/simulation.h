@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ struct Clock {
   void advance() { ++step; }
 };
 
+/// What the root asks of the other ranks.
+enum class Call : std::int64_t { step, gather, dismiss };
+
 /// What has been counted since the start.
 struct Tally {
   std::int64_t contacts = 0;       // evaluations of acting contacts
@@ -37,11 +41,13 @@ struct Tally {
   std::int64_t impact_speed = 0;   // sum of their approach speeds [speed_quantum]
 };
 
+/// With several ranks every one of them has a simulation of the same case, which holds its share of the particles. The
+/// root conducts: its step(), sample(), state_hash() and save() call upon the others, which follow().
 class Simulation {
  public:
   /// Builds the initial state of a case. A run that goes on gives the archive that will be restored: what the case
   /// takes from another run's checkpoint is then not read again. Throws InputError if the case cannot be run.
-  Simulation(const Case& c, Team team, const Archive* resumed = nullptr);
+  Simulation(const Case& c, Team team, const Archive* resumed = nullptr, const Ranks& ranks = {});
 
   /// Advances by one time step. Throws PhysicsError when the physics has gone wrong.
   void step();
@@ -49,18 +55,31 @@ class Simulation {
   /// The present state with all velocities at the time of the positions.
   const Sample& sample();
 
+  /// All particles and contacts of the run; of several ranks, put together at the root.
+  const ParticleSystem& whole();
+
   /// SHA-256 over time, particles by id and contacts by key, as hexadecimal text.
-  std::string state_hash() const;
+  std::string state_hash();
 
   /// Everything that continuing to the last bit needs.
-  Archive save() const;
+  Archive save();
+
+  /// Ranks other than the root: does as the root does until that dismisses them; returns what it gives them.
+  std::int64_t follow();
+
+  /// The root: lets the others go, with a number for them.
+  void dismiss(std::int64_t parting);
 
   /// Continues from what save() gave. Throws InputError if it does not fit the case.
   void restore(const Archive& archive);
 
   const Case& input() const { return case_; }
   const Clock& clock() const { return clock_; }
+  /// This rank's particles.
   const ParticleSystem& system() const { return system_; }
+  /// Particles on all ranks.
+  std::int64_t particles() const;
+  const Ranks& ranks() const { return ranks_; }
   const Fields& fields() const { return fields_; }
   const Exchange& exchange() const { return exchange_; }
   /// The impact that the stickiness number is about; empty without linear cohesion.
@@ -73,11 +92,17 @@ class Simulation {
   int threads() const { return team_.threads; }
 
  private:
+  void call(Call what) const;
+  void advance();
+  void gather();
+  void settle();
+  void together(const std::function<void()>& look) const;
   void move_walls(double time);
   void exchange_particles();
   void move_prescribed_bodies();
   void refresh_neighbours();
-  void evaluate_fields(double time);
+  void evaluate_own_fields(double time);
+  void evaluate_fields(const ParticleSystem& system, double time, Buffer<sc_field>& field);
   void advance_particles();
   void collide_particles();
   void take(SweepFindings findings);
@@ -95,6 +120,7 @@ class Simulation {
   Case case_;
   Team team_;
   Ranks ranks_;
+  std::int64_t count_ = 0;  // particles on all ranks, where there are several
   Fields fields_;
   ParticleSystem system_;
   std::vector<PrescribedGroup> prescribed_;
@@ -105,10 +131,13 @@ class Simulation {
   Clock clock_;
   std::optional<CohesiveImpact> typical_impact_;
   Tally tally_;
-  SweepFindings findings_;
+  SweepFindings findings_, own_findings_;  // of all ranks, of this one
   StageSeconds stages_;
   Sample sample_;
   std::int64_t sampled_step_ = -1;
+  // At the root of several ranks: the run as a whole.
+  ParticleSystem whole_;
+  std::int64_t whole_step_ = -1;
   HardStep hard_;
 };
 

@@ -8,8 +8,19 @@
 namespace scree {
 
 void Particles::resize(std::size_t n) {
-  for_each_field([&](auto, auto& column, auto...) { column.values.resize(n * column.components); });
+  // First what goes, so that what is added is zero.
+  for_each_field([&](auto, auto& column, auto...) {
+    column.values.resize(std::min(n, size_) * column.components);
+    column.values.resize(n * column.components);
+  });
   size_ = n;
+  ghosts_ = 0;
+}
+
+void Particles::resize_ghosts(std::size_t n) {
+  resize(size_);
+  for_each_field([&](auto, auto& column, auto...) { column.values.resize((size_ + n) * column.components); });
+  ghosts_ = n;
 }
 
 void Particles::permute(const std::vector<std::uint32_t>& order) {
@@ -35,6 +46,7 @@ void Particles::permute(const std::vector<std::uint32_t>& order) {
     column.values.resize(order.size() * C::components);
   });
   size_ = order.size();
+  ghosts_ = 0;
 }
 
 void Particles::append(const Particles& others) {

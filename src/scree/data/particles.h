@@ -10,8 +10,9 @@
 
 namespace scree {
 
-/// Which motion a field needs when particles are spread over ranks.
-enum class Travels { always, on_migration, never };
+/// When a field is sent where particles are spread over ranks: to the copies of the particle in every step, to the
+/// copies when they are made, or only with the particle when it gets another owner.
+enum class Travels { always, with_lists, on_migration };
 
 // FIELD(name, type, components, travels, saved, what the components are [unit])
 //
@@ -21,12 +22,12 @@ enum class Travels { always, on_migration, never };
 #define SCREE_PARTICLE_FIELDS(FIELD)                                                                                \
   FIELD(motion, double, 8, always, true, "x y z [m] radius [m] vx vy vz [m/s] inverse_mass [1/kg]")                 \
   FIELD(spin, double, 4, always, true, "radius * wx wy wz [m/s] inverse_radius [1/m]")                              \
-  FIELD(id, std::int64_t, 1, on_migration, true, "id for life")                                                     \
-  FIELD(material, std::int32_t, 1, on_migration, true, "index into the materials")                                  \
+  FIELD(id, std::int64_t, 1, with_lists, true, "id for life")                                                       \
+  FIELD(material, std::int32_t, 1, with_lists, true, "index into the materials")                                    \
   FIELD(group, std::int32_t, 1, on_migration, true, "index into the particle groups of the case")                   \
   FIELD(image, std::int32_t, 4, on_migration, true, "periods travelled along x y z, unused")                        \
   FIELD(mass, double, 1, on_migration, true, "mass [kg], also of bodies that move as prescribed")                   \
-  FIELD(effect_excess, double, 1, on_migration, true, "effect radius minus body radius [m]")                        \
+  FIELD(effect_excess, double, 1, with_lists, true, "effect radius minus body radius [m]")                          \
   FIELD(loss, double, 4, on_migration, true, "energy lost by normal damping, sliding, rolling, relocation [J]")     \
   FIELD(work, double, 4, on_migration, true, "work by drag, body force, prescribed motion, walls [J]")              \
   FIELD(impulse, double, 4, on_migration, true, "impulse of drag, fields, walls, fixed bodies x y z [N s], unused") \
@@ -36,10 +37,10 @@ enum class Travels { always, on_migration, never };
 // velocities, with the inertia of the orientation, which goes with the positions. Inverse moments of bodies of infinite
 // mass are 0, and their spin is what it was set to.
 #define SCREE_SHAPE_FIELDS(FIELD)                                                                                 \
-  FIELD(form, std::int32_t, 1, on_migration, true, "index into the forms; 0 is the sphere")                       \
+  FIELD(form, std::int32_t, 1, with_lists, true, "index into the forms; 0 is the sphere")                         \
   FIELD(orientation, double, 4, always, true, "quaternion w x y z from the body's frame to the world's")          \
   FIELD(angular_momentum, double, 4, always, true, "in the world x y z [kg m2/s], way of the surface so far [m]") \
-  FIELD(inertia, double, 4, on_migration, true, "inverse principal moments x y z [1/(kg m2)], radius by volume [m]")
+  FIELD(inertia, double, 4, with_lists, true, "inverse principal moments x y z [1/(kg m2)], radius by volume [m]")
 
 /// One field: `components` values per particle, contiguous.
 template <class T, int Components>
@@ -75,7 +76,14 @@ class Particles {
   SCREE_SHAPE_FIELDS(FIELD)
 #undef FIELD
 
+  /// The particles that this rank moves.
   std::size_t size() const { return size_; }
+
+  /// Copies of particles of other ranks, which stand after the own ones. Of them only what Travels says is there.
+  std::size_t ghosts() const { return ghosts_; }
+
+  /// Own particles and copies.
+  std::size_t held() const { return size_ + ghosts_; }
 
   /// Whether the fields of shapes are there.
   bool shaped() const { return shaped_; }
@@ -86,10 +94,14 @@ class Particles {
     return shaped_ ? inertia.row(i)[lane::radius_by_volume] : motion.row(i)[lane::radius];
   }
 
-  /// New particles have all fields zero.
+  /// New particles have all fields zero. Copies of other ranks' particles go.
   void resize(std::size_t n);
 
-  /// Puts particle order[i] at place i, in every field; particles that `order` does not name are gone.
+  /// Makes room for `n` copies of other ranks' particles, all fields zero.
+  void resize_ghosts(std::size_t n);
+
+  /// Puts particle order[i] at place i, in every field; particles that `order` does not name are gone, and copies of
+  /// other ranks' particles.
   void permute(const std::vector<std::uint32_t>& order);
 
   /// Adds copies of all the others after those that are there. Both have shapes, or neither.
@@ -106,11 +118,18 @@ class Particles {
 #undef FIELD
   }
 
+  template <class Visit>
+  void for_each_field(Visit&& visit) const {
+    // The table is the same; who only reads gets columns that can only be read.
+    const_cast<Particles*>(this)->for_each_field(
+        [&](std::string_view name, const auto& column, auto... rest) { visit(name, column, rest...); });
+  }
+
   /// Memory of one particle over all fields, with shapes or without [bytes].
   static std::size_t bytes_per_particle(bool shaped);
 
  private:
-  std::size_t size_ = 0;
+  std::size_t size_ = 0, ghosts_ = 0;
   bool shaped_ = false;
 };
 

@@ -44,6 +44,7 @@ std::string summary_text(const Summary& s) {
                {"particle_steps_per_second", speed},
                {"contacts", s.contacts},
                {"wall_contacts", s.wall_contacts},
+               {"ranks", s.ranks},
                {"threads", s.threads},
                {"ledger", table(s.ledger)},
                {"state_hash", s.state_hash}};

@@ -29,7 +29,7 @@ struct Summary {
   std::uint64_t particle_steps = 0;  // particles times steps, summed while it ran
   std::uint64_t contacts = 0;        // contacts that acted, in every step anew, since the start
   std::uint64_t wall_contacts = 0;   // of these with walls
-  int threads = 1;
+  int ranks = 1, threads = 1;        // processes; threads of the root
   std::vector<std::pair<std::string, double>> ledger;  // the last books, names as in series.csv
   std::string state_hash;                              // SHA-256 of the final state
 };

@@ -13,7 +13,7 @@ bool knows_apart(const PairContacts& k, std::size_t c) { return c < k.apart.size
 
 }  // namespace
 
-PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::vector<std::int32_t>& place) {
+PairContacts with_no_memory(Candidates fresh, const PairContacts& old) {
   PairContacts out;
   out.pairs = std::move(fresh);
   out.remembers_rolling = old.remembers_rolling;
@@ -24,6 +24,11 @@ PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::ve
   if (out.remembers_rolling) out.roll.resize(4 * padded);
   if (out.remembers_shapes) out.shape.resize(pair_memory * padded);
   if (out.remembers_shapes) out.apart.resize(padded);
+  return out;
+}
+
+void carry_over(PairContacts& out, const PairContacts& old, const std::vector<std::int32_t>& place) {
+  const auto owners = static_cast<std::int32_t>(out.pairs.first.size() - 1);
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < old.pairs.count; ++c) {
     if (!old.active[c] && !knows_apart(old, c)) continue;
@@ -31,6 +36,7 @@ PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::ve
     if (a < 0 || b < 0) continue;
     const double sign = a < b ? 1.0 : -1.0;
     const std::int32_t owner = std::min(a, b), partner = std::max(a, b);
+    if (owner >= owners) continue;
     const auto* begin = out.pairs.partner.begin();
     const auto* last = begin + out.pairs.first[owner + 1];
     const auto* found = std::lower_bound(begin + out.pairs.first[owner], last, partner);
@@ -45,7 +51,6 @@ PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::ve
     for (int k = 0; k < 3; ++k) out.roll[4 * to + k] = sign * old.roll[4 * c + k];
     out.roll[4 * to + 3] = old.roll[4 * c + 3];
   }
-  return out;
 }
 
 namespace {
@@ -53,7 +58,7 @@ namespace {
 // Among shapes few candidates touch, and eight of a kind are evaluated at a time.
 constexpr std::int32_t shape_tile_size = 1024;
 
-/// For each particle the pairs it takes part in, ordered by the partner's id.
+/// For each own particle the pairs it takes part in, ordered by the partner's id.
 struct Incidence {
   Buffer<std::int32_t> first, pair;
 };
@@ -63,15 +68,16 @@ Incidence incidence_by_id(const Candidates& pairs, const Particles& particles) {
   Incidence out;
   out.first.resize(n + 1);
   out.pair.resize(2 * pairs.count);
+  const auto moves_here = [n](std::int32_t p) { return p < n; };
   for (std::size_t c = 0; c < pairs.count; ++c) {
     ++out.first[pairs.owner[c] + 1];
-    ++out.first[pairs.partner[c] + 1];
+    if (moves_here(pairs.partner[c])) ++out.first[pairs.partner[c] + 1];
   }
   for (std::int32_t p = 0; p < n; ++p) out.first[p + 1] += out.first[p];
   Buffer<std::int32_t> next = out.first;
   for (std::size_t c = 0; c < pairs.count; ++c) {
     out.pair[next[pairs.owner[c]]++] = static_cast<std::int32_t>(c);
-    out.pair[next[pairs.partner[c]]++] = static_cast<std::int32_t>(c);
+    if (moves_here(pairs.partner[c])) out.pair[next[pairs.partner[c]]++] = static_cast<std::int32_t>(c);
   }
 #pragma omp parallel for schedule(static)
   for (std::int32_t p = 0; p < n; ++p) {
@@ -107,10 +113,11 @@ void cut_into_ranges(const Candidates& pairs, const WallContacts& walls, int thr
 }
 
 void defer_shared(const Candidates& pairs, SweepPlan& plan) {
+  const auto n = static_cast<std::int32_t>(plan.deferred.size());
   for (std::size_t t = 0; t + 1 < plan.ranges.size(); ++t) {
     const SweepRange& range = plan.ranges[t];
     for (std::int32_t c = pairs.first[range.begin]; c < pairs.first[range.end]; ++c)
-      if (pairs.partner[c] >= range.end) plan.deferred[pairs.partner[c]] = 1;
+      if (pairs.partner[c] >= range.end && pairs.partner[c] < n) plan.deferred[pairs.partner[c]] = 1;
   }
   std::vector<std::int32_t> all;
   for (std::size_t p = 0; p < plan.deferred.size(); ++p)
@@ -125,6 +132,7 @@ void defer_shared(const Candidates& pairs, SweepPlan& plan) {
 /// moved. Slots are numbered from 0; returns how many were needed.
 std::int32_t assign_slots(const Candidates& pairs, const Incidence& incidence, const SweepRange& range,
                           SweepPlan& plan) {
+  const auto n = static_cast<std::int32_t>(plan.deferred.size());
   std::vector<std::int32_t> free;
   std::int32_t used = 0;
   for (std::size_t tile = 0; tile + 1 < range.tiles.size(); ++tile) {
@@ -140,7 +148,8 @@ std::int32_t assign_slots(const Candidates& pairs, const Incidence& incidence, c
       if (plan.deferred[p]) continue;
       for (std::int32_t k = incidence.first[p]; k < incidence.first[p + 1]; ++k) {
         const std::int32_t c = incidence.pair[k];
-        if (pairs.partner[c] == p && !plan.deferred[pairs.owner[c]]) free.push_back(plan.slot[c]);
+        const bool last = pairs.partner[c] == p ? !plan.deferred[pairs.owner[c]] : pairs.partner[c] >= n;
+        if (last) free.push_back(plan.slot[c]);
       }
     }
   }
@@ -170,7 +179,10 @@ void place_marks(const Candidates& pairs, const Incidence& incidence, SweepPlan&
     for (std::int32_t k = incidence.first[p]; k < incidence.first[p + 1]; ++k) {
       const std::size_t c = incidence.pair[k];
       const bool is_partner = pairs.partner[c] == static_cast<std::int32_t>(p);
-      plan.mark[2 * c + is_partner] = plan.mark_first[p] + (k - incidence.first[p]);
+      const std::int32_t place = plan.mark_first[p] + (k - incidence.first[p]);
+      plan.mark[2 * c + is_partner] = place;
+      // A copy gathers nothing here; its mark is the owner's.
+      if (pairs.partner[c] >= static_cast<std::int32_t>(n)) plan.mark[2 * c + 1] = place;
     }
   });
 }

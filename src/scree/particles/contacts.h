@@ -27,9 +27,12 @@ struct PairContacts {
   bool remembers_rolling = false, remembers_shapes = false;
 };
 
-/// The memory of `old` contacts moved to the candidates `fresh`; `place` tells where each particle went,
+/// The candidates `fresh` without memory, but with room for what `old` remembers.
+PairContacts with_no_memory(Candidates fresh, const PairContacts& old);
+
+/// Copies the memory of `old` contacts into `fresh`; `place` tells where each particle went,
 /// negative if it is gone.
-PairContacts carry_over(Candidates fresh, const PairContacts& old, const std::vector<std::int32_t>& place);
+void carry_over(PairContacts& fresh, const PairContacts& old, const std::vector<std::int32_t>& place);
 
 /// One particle's side of a contact: the slot it reads and its sign there.
 inline constexpr std::uint32_t gather_entry(std::int32_t slot, bool is_partner) {

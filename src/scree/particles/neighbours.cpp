@@ -15,7 +15,7 @@ using Bounds = std::array<std::array<double, 3>, 2>;
 
 Bounds bounds_of(const Particles& particles) {
   Bounds b{{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}}};
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  for (std::size_t i = 0; i < particles.held(); ++i)
     for (int k = 0; k < 3; ++k) {
       b[0][k] = std::min(b[0][k], particles.motion.row(i)[k]);
       b[1][k] = std::max(b[1][k], particles.motion.row(i)[k]);
@@ -40,13 +40,13 @@ struct Levels {
 
 Levels sort_by_size(const Particles& p, const Domain& domain, double skin) {
   double largest = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) largest = std::max(largest, reach_of(p, i));
+  for (std::size_t i = 0; i < p.held(); ++i) largest = std::max(largest, reach_of(p, i));
   constexpr int octaves = 64;
   const auto octave = [&](std::size_t i) {
     return std::min(octaves - 1, static_cast<int>(std::log2(largest / reach_of(p, i))));
   };
   std::array<std::size_t, octaves> members{};
-  for (std::size_t i = 0; i < p.size(); ++i) ++members[octave(i)];
+  for (std::size_t i = 0; i < p.held(); ++i) ++members[octave(i)];
   Levels out;
   std::array<int, octaves> place{};
   for (int o = 0; o < octaves; ++o)
@@ -54,9 +54,9 @@ Levels sort_by_size(const Particles& p, const Domain& domain, double skin) {
       place[o] = static_cast<int>(out.level.size());
       out.level.emplace_back().which.resize(members[o]);
     }
-  out.level_of.resize(p.size());
+  out.level_of.resize(p.held());
   std::vector<std::size_t> next(out.level.size(), 0);
-  for (std::size_t i = 0; i < p.size(); ++i) {
+  for (std::size_t i = 0; i < p.held(); ++i) {
     const int l = place[octave(i)];
     out.level_of[i] = l;
     out.level[l].which[next[l]++] = static_cast<std::int32_t>(i);
@@ -76,13 +76,14 @@ template <class Found>
 void search(const Particles& p, const Domain& domain, double skin, const Levels& levels, std::int32_t i,
             Found&& found) {
   const double* xi = p.motion.row(i);
+  const std::int32_t owners = static_cast<std::int32_t>(p.size());
   const int own = levels.level_of[i];
   for (int m = 0; m <= own; ++m) {
     const Level& level = levels.level[m];
     level.lattice.for_each_run(xi, reach_of(p, i) + level.reach + skin, [&](std::int64_t c0, std::int64_t c1) {
       for (std::int32_t k = level.cells.first[c0]; k < level.cells.first[c1]; ++k) {
         const std::int32_t j = level.cells.member[k];
-        if (m == own && j <= i) continue;
+        if ((m == own && j <= i) || std::min(i, j) >= owners) continue;
         const double* xj = p.motion.row(j);
         double d2 = 0;
         for (int a = 0; a < 3; ++a) {
@@ -114,13 +115,16 @@ std::vector<std::uint32_t> storage_order(const Particles& particles, const Domai
 
 Candidates find_candidates(const Particles& particles, const Domain& domain, double skin) {
   const std::int32_t n = static_cast<std::int32_t>(particles.size());
+  const std::int32_t held = static_cast<std::int32_t>(particles.held());
   Candidates out;
   out.first.resize(particles.size() + 1);
+  out.owner.resize(candidate_padding);
+  out.partner.resize(candidate_padding);
   if (n == 0) return out;
   const Levels levels = sort_by_size(particles, domain, skin);
   std::vector<std::vector<Pair>> found(omp_get_max_threads());
 #pragma omp parallel for schedule(static)
-  for (std::int32_t i = 0; i < n; ++i) {
+  for (std::int32_t i = 0; i < held; ++i) {
     auto& mine = found[omp_get_thread_num()];
     search(particles, domain, skin, levels, i, [&](std::int32_t j) {
       mine.push_back({std::min(i, j), std::max(i, j)});

@@ -101,16 +101,13 @@ SweepFindings sweep(const SweepKernels& kernels, const SweepView& view, const Sw
 }
 
 SweepFindings agree(const Ranks& ranks, const SweepFindings& mine) {
-  SweepFindings all;
-  all.fastest2 = ranks.largest(mine.fastest2);
-  all.deepest = ranks.largest(mine.deepest);
-  all.contacts = ranks.total(mine.contacts);
-  all.wall_contacts = ranks.total(mine.wall_contacts);
-  all.impacts = ranks.total(mine.impacts);
-  all.impact_speed = ranks.total(mine.impact_speed);
-  all.sound = ranks.all(mine.sound);
-  all.inside = ranks.all(mine.inside);
-  return all;
+  if (ranks.alone()) return mine;
+  std::vector<double> largest{mine.fastest2, mine.deepest};
+  std::vector<std::int64_t> sums{mine.contacts,     mine.wall_contacts, mine.impacts,
+                                 mine.impact_speed, !mine.sound,        !mine.inside};
+  ranks.find_largest(largest);
+  ranks.add_up(sums);
+  return {largest[0], largest[1], sums[0], sums[1], sums[2], sums[3], sums[4] == 0, sums[5] == 0};
 }
 
 }  // namespace scree

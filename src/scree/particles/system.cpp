@@ -2,60 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "scree/base/audit.h"
 #include "scree/particles/audit.h"
 #include "scree/particles/neighbours.h"
+#include "scree/particles/reach.h"
+#include "scree/particles/share.h"
 #include "scree/particles/vertex_views.h"
-#include "scree/physics/touch/shape_contact.h"
 
 namespace scree {
 namespace {
-
-double largest_radius(const Particles& p) {
-  double largest = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) largest = std::max(largest, p.motion.row(i)[lane::radius]);
-  return largest;
-}
-
-double mean_radius(const Particles& p) {
-  double sum = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) sum += p.motion.row(i)[lane::radius];
-  return p.size() ? sum / static_cast<double>(p.size()) : 0;
-}
-
-double largest_effect_excess(const Particles& p) {
-  double largest = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) largest = std::max(largest, p.effect_excess[i]);
-  return largest;
-}
-
-/// The largest effective radius of a contact. Against a wall that of a sphere is its own.
-double largest_contact_radius(const ParticleSystem& s) {
-  double largest = largest_radius(s.particles);
-  if (!s.particles.shaped()) return largest;
-  for (std::size_t i = 0; i < s.particles.size(); ++i)
-    largest = std::max(largest, sc_largest_contact_radius(s.particles.radius_by_volume(i)));
-  return largest;
-}
-
-/// How far a JKR neck may be drawn out [m].
-double longest_neck(const ParticleSystem& s) {
-  if (s.laws.cohesion != SC_COHESION_JKR) return 0;
-  const double radius = largest_contact_radius(s);
-  double longest = 0;
-  for (const sc_pair_law& law : s.materials.law) longest = std::max(longest, sc_longest_neck(s.laws, law, radius));
-  return longest;
-}
-
-/// How far apart two shapes may be over how far their overlap is below zero. A gap g makes the growth distance at least
-/// 1 + g/(R_A + R_B) with the bounding radii, and the overlap goes with that times the support of both bodies along
-/// some direction, which is no less than the sum of the radii of the spheres inside.
-double gap_over_overlap(const ParticleSystem& s) {
-  double most = 1;
-  for (const Form& form : s.forms) most = std::max(most, 1 / form.shape.inscribed);
-  return (1 + 1e-9) * most;
-}
 
 double greatest_travel(const Particles& p, const Domain& domain, const Buffer<double>& from) {
   double greatest2 = 0;
@@ -74,48 +31,103 @@ double greatest_travel(const Particles& p, const Domain& domain, const Buffer<do
 
 /// A list that lasts long costs candidates that do not touch in every step, a short one costs making: hold the balance.
 /// The lists change no bits, so the skin may follow the motion.
-void adapt_skin(ContactLists& lists, const ParticleSystem& s) {
-  if (lists.rebuilds == 0 || lists.passes == 0 || s.particles.size() == 0) return;
-  const double n = static_cast<double>(s.particles.size());
+void adapt_skin(ContactLists& lists, const ParticleSystem& s, double mean_radius) {
+  if (lists.rebuilds == 0 || lists.passes == 0) return;
   const auto acts = [](std::uint8_t code) { return code != 0; };
-  const auto acting = static_cast<double>(std::count_if(s.contacts.active.begin(), s.contacts.active.end(), acts));
-  const double candidates = static_cast<double>(s.contacts.pairs.count) / n;
+  std::vector<std::int64_t> counts{
+      static_cast<std::int64_t>(s.particles.size()), static_cast<std::int64_t>(s.contacts.pairs.count),
+      static_cast<std::int64_t>(std::count_if(s.contacts.active.begin(), s.contacts.active.end(), acts))};
+  lists.ranks.add_up(counts);
+  if (counts[0] == 0) return;
+  const double n = static_cast<double>(counts[0]);
+  const double candidates = static_cast<double>(counts[1]) / n, acting = static_cast<double>(counts[2]) / n;
   // Measured, in nanoseconds per particle: making the lists, and looking at a candidate, which is dear where few share
   // a vector.
   const double making = (280 + 80 * candidates) / static_cast<double>(lists.passes);
-  const double looking = (candidates - acting / n) * (7 + 16 / (1 + candidates));
+  const double looking = (candidates - acting) * (7 + 16 / (1 + candidates));
   if (making > 1.5 * looking) lists.skin *= 1.4;
   if (looking > 1.5 * making) lists.skin /= 1.4;
-  const double radius = mean_radius(s.particles);
-  lists.skin = std::clamp(lists.skin, 0.08 * radius, 1.0 * radius);
+  lists.skin = std::clamp(lists.skin, 0.08 * mean_radius, 1.0 * mean_radius);
 }
 
 /// How far apart bodies may be and still act on each other, and a first skin where there is none.
-void measure_reach(ContactLists& lists, const ParticleSystem& s) {
-  lists.margin = std::max(reach_beyond_bodies(s), 2 * largest_effect_excess(s.particles));
-  if (lists.skin == 0) lists.skin = 0.1 * mean_radius(s.particles);
+void measure_reach(ContactLists& lists, const ParticleSystem& s, const Sizes& sizes) {
+  lists.margin = std::max(reach_beyond_bodies(s, sizes), 2 * sizes.excess);
+  if (lists.skin == 0) lists.skin = 0.1 * sizes.mean_radius;
 }
 
 /// Where carry_over() finds a particle that is gone.
 constexpr std::int32_t nowhere = -1;
 
+/// The new places of `count` particles that were put in order.
+std::vector<std::int32_t> places_in(const std::vector<std::uint32_t>& order, std::size_t count) {
+  std::vector<std::int32_t> place(count, nowhere);
+  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = static_cast<std::int32_t>(i);
+  return place;
+}
+
+/// Whether a pair belongs to the rank of the partner: that which has the lower id.
+bool counts_elsewhere(const Particles& p, std::int32_t owner, std::int32_t partner) {
+  return std::size_t(partner) >= p.size() && p.id[partner] < p.id[owner];
+}
+
+/// Puts the contacts that came with particles into the new lists; returns the new places of those that the old lists
+/// name.
+std::vector<std::int32_t> unpack_luggage(ParticleSystem& s, ContactLists& lists, PairContacts& pairs,
+                                         WallContacts& walls) {
+  const RowsById rows = rows_of_held(s.particles);
+  std::vector<std::int32_t> identity(s.particles.held()), place;
+  std::iota(identity.begin(), identity.end(), 0);
+  keep_held(lists.luggage.pairs, rows);
+  carry_over(pairs, pairs_of(lists.luggage.pairs, rows, pairs.remembers_rolling, pairs.remembers_shapes), identity);
+  carry_over(walls, walls_of(lists.luggage.walls, rows, s.particles, s.walls.size()), identity);
+  lists.luggage = {};
+  for (const std::int64_t id : lists.listed_ids) {
+    const auto found = rows.find(id);
+    place.push_back(found == rows.end() ? nowhere : found->second);
+  }
+  lists.listed_ids.assign(s.particles.id.values.begin(), s.particles.id.values.end());
+  lists.counted_elsewhere.clear();
+  for (std::size_t c = 0; c < pairs.pairs.count; ++c)
+    if (counts_elsewhere(s.particles, pairs.pairs.owner[c], pairs.pairs.partner[c]))
+      lists.counted_elsewhere.push_back(static_cast<std::int32_t>(c));
+  lists.ghosts_current = true;
+  return place;
+}
+
+/// Moves particles between ranks so that each has those of its block, with equal shares of the work.
+void change_owners(ParticleSystem& s, ContactLists& lists, std::vector<std::uint8_t>& gone) {
+  const auto& first = s.contacts.pairs.first;
+  std::vector<std::int32_t> load(s.particles.size(), 1);
+  // A particle costs about as much to move as three candidates cost to look at.
+  for (std::size_t i = 0; i < load.size() && i + 1 < first.size(); ++i) load[i] = 3 + first[i + 1] - first[i];
+  balance(lists.blocks, s.domain, s.particles, load, lists.ranks);
+  migrate(s, lists.blocks, lists.ranks, gone, lists.luggage);
+}
+
 /// Particles marked in `gone`, if it is not empty, are left out from here on.
-void make_lists(ParticleSystem& s, ContactLists& lists, const Team& team, const std::vector<std::uint8_t>& gone) {
+void make_lists(ParticleSystem& s, ContactLists& lists, const Team& team, std::vector<std::uint8_t> gone,
+                const Sizes& sizes) {
   Particles& p = s.particles;
+  // The first time everybody is where he belongs, and his luggage is not to travel again.
+  if (!lists.ranks.alone() && lists.made) change_owners(s, lists, gone);
   // Cells of about a diameter keep neighbours in space close in memory.
-  std::vector<std::uint32_t> order = storage_order(p, s.domain, 2 * mean_radius(p) + lists.skin);
+  std::vector<std::uint32_t> order = storage_order(p, s.domain, 2 * sizes.mean_radius + lists.skin);
   if (!gone.empty()) std::erase_if(order, [&](std::uint32_t i) { return i < gone.size() && gone[i]; });
-  std::vector<std::int32_t> place(p.size(), nowhere);
+  const std::size_t before = p.size();
   p.permute(order);
   const std::size_t n = p.size();
-  for (std::size_t i = 0; i < n; ++i) place[order[i]] = static_cast<std::int32_t>(i);
   // Searches look from effect surface to effect surface; necks, which know nothing of these, reach beyond, and so does
   // what acts between shapes.
-  const double between_effects = s.laws.cohesion == SC_COHESION_LINEAR ? 2 * largest_effect_excess(p) : 0;
-  const double reach = lists.skin + (reach_beyond_bodies(s) - between_effects);
-  s.contacts = carry_over(find_candidates(p, s.domain, reach), s.contacts, place);
+  const double reach = lists.skin + reach_beyond_effects(s, sizes);
+  if (!lists.ranks.alone()) lists.halo = make_halo(p, lists.blocks, s.domain, sizes.effect_radius, reach, lists.ranks);
+  PairContacts pairs = with_no_memory(find_candidates(p, s.domain, reach), s.contacts);
   WallContacts walls = find_wall_contacts(p, s.walls, reach);
+  const std::vector<std::int32_t> place =
+      lists.ranks.alone() ? places_in(order, before) : unpack_luggage(s, lists, pairs, walls);
+  carry_over(pairs, s.contacts, place);
   carry_over(walls, s.wall_contacts, place);
+  s.contacts = std::move(pairs);
   s.wall_contacts = std::move(walls);
   lists.plan = plan_sweep(s.contacts.pairs, s.wall_contacts, p, team.hands(n));
   lists.slots.slots.resize(slot_size(s) * std::size_t(lists.plan.slots));
@@ -141,15 +153,12 @@ double fastest_square(const Particles& p) {
   return fastest2;
 }
 
-double reach_beyond_bodies(const ParticleSystem& s) {
-  const double overlap =
-      s.laws.cohesion == SC_COHESION_LINEAR ? 2 * largest_effect_excess(s.particles) : longest_neck(s);
-  return s.particles.shaped() ? gap_over_overlap(s) * overlap : overlap;
-}
-
 std::size_t slot_size(const ParticleSystem& s) { return s.particles.shaped() ? shape_slot : sphere_slot; }
 
-double longest_range(const ParticleSystem& s) { return 2 * largest_radius(s.particles) + reach_beyond_bodies(s); }
+double longest_range(const ParticleSystem& s) {
+  const Sizes sizes = sizes_of(s.particles);
+  return 2 * sizes.radius + reach_beyond_bodies(s, sizes);
+}
 
 ContactLists prepare_lists(const ParticleSystem& s, double skin) {
   ContactLists lists;
@@ -162,14 +171,17 @@ ContactLists prepare_lists(const ParticleSystem& s, double skin) {
     for (const VertexBlocks& blocks : s.vertices->of_form) lists.vertices.push_back(view_of(blocks));
   lists.skin = skin;
   lists.adapts = skin == 0;
-  measure_reach(lists, s);
+  measure_reach(lists, s, sizes_of(s.particles, lists.ranks));
   return lists;
 }
 
 namespace {
 
 void renew_lists(ParticleSystem& s, ContactLists& lists, const Team& team, const std::vector<std::uint8_t>& gone) {
-  make_lists(s, lists, team, gone);
+  const Sizes sizes = sizes_of(s.particles, lists.ranks);
+  if (lists.adapts) adapt_skin(lists, s, sizes.mean_radius);
+  measure_reach(lists, s, sizes);
+  make_lists(s, lists, team, gone, sizes);
   if constexpr (auditing) audit_lists(s, lists);
   lists.travelled = lists.walls_travelled = 0;
   lists.passes = 0;
@@ -184,19 +196,16 @@ bool refresh_lists(ParticleSystem& s, ContactLists& lists, const Team& team) {
   if (lists.made && static_cast<int>(lists.plan.ranges.size()) == ranges) {
     if (approached(lists) <= lists.skin) return false;
     // The sum of the fastest steps overestimates: most of the time nobody has really gone that far.
-    lists.travelled = greatest_travel(s.particles, s.domain, lists.listed_at);
+    lists.travelled = lists.ranks.largest(greatest_travel(s.particles, s.domain, lists.listed_at));
     if (1.25 * approached(lists) <= lists.skin) return false;
   }
-  if (lists.adapts) adapt_skin(lists, s);
   renew_lists(s, lists, team, {});
   return true;
 }
 
 void change_population(ParticleSystem& s, ContactLists& lists, const std::vector<std::uint8_t>& gone,
                        const Particles& fresh, const Team& team) {
-  if (lists.adapts) adapt_skin(lists, s);
   s.particles.append(fresh);
-  measure_reach(lists, s);
   renew_lists(s, lists, team, gone);
 }
 
@@ -276,6 +285,24 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
   v.book_gravity = !s.domain.any_periodic() && (g.x != 0 || g.y != 0 || g.z != 0);
   v.others = field || sc_dot(move.rotation, move.rotation) > 0;
   return v;
+}
+
+SweepFindings pass(ParticleSystem& s, ContactLists& lists, const SweepView& view) {
+  if (lists.ranks.alone()) return sweep(lists.kernels, view, lists.plan);
+  if (!lists.ghosts_current) renew_ghosts(s.particles, lists.halo, lists.ranks);
+  lists.ghosts_current = false;
+  std::vector<std::uint8_t> acted;
+  for (const std::int32_t c : lists.counted_elsewhere) acted.push_back(s.contacts.active[c]);
+  SweepFindings found = sweep(lists.kernels, view, lists.plan);
+  for (std::size_t k = 0; k < acted.size(); ++k) {
+    const std::size_t c = std::size_t(lists.counted_elsewhere[k]);
+    if (!s.contacts.active[c]) continue;
+    --found.contacts;
+    if (acted[k]) continue;
+    --found.impacts;
+    found.impact_speed -= static_cast<std::int64_t>(s.contacts.slide[4 * c + 3] / speed_quantum);
+  }
+  return found;
 }
 
 }  // namespace scree

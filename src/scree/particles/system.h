@@ -12,8 +12,11 @@
 #include "scree/data/particles.h"
 #include "scree/data/vertices.h"
 #include "scree/data/walls.h"
+#include "scree/mpi/blocks.h"
+#include "scree/mpi/halo.h"
 #include "scree/particles/contacts.h"
 #include "scree/particles/hard/settings.h"
+#include "scree/particles/luggage.h"
 #include "scree/particles/sweep.h"
 #include "scree/particles/wall_contacts.h"
 
@@ -36,6 +39,15 @@ struct ParticleSystem {
 
 /// What keeps the lists valid and how the next pass goes.
 struct ContactLists {
+  Ranks ranks;
+  Blocks blocks;
+  Halo halo;
+  Luggage luggage;
+  // If there are several ranks: ids of the particles held when the lists were made, and pairs that the rank of the
+  // partner counts.
+  std::vector<std::int64_t> listed_ids;
+  std::vector<std::int32_t> counted_elsewhere;
+  bool ghosts_current = false;  // copies are as their originals
   SweepKernels kernels{};
   SweepPlan plan;
   SweepSlots slots;
@@ -73,6 +85,10 @@ void note_wall_travel(ContactLists& lists, double distance);
 SweepView view_of(ParticleSystem& system, ContactLists& lists, const sc_move& move, const sc_contact_time& time,
                   const sc_field* field);
 
+/// One pass over all contacts and particles: sweep() with the copies of other ranks' particles as they are now, and
+/// with every pair of two ranks counted once.
+SweepFindings pass(ParticleSystem& system, ContactLists& lists, const SweepView& view);
+
 /// Numbers in a slot of the pass over the system.
 std::size_t slot_size(const ParticleSystem& system);
 
@@ -81,8 +97,5 @@ double fastest_square(const Particles& particles);
 
 /// Greatest distance of two centres at which bodies of the system may act on each other [m].
 double longest_range(const ParticleSystem& system);
-
-/// Longest range of interaction between two particle surfaces of the system's bodies, beyond their bodies [m].
-double reach_beyond_bodies(const ParticleSystem& system);
 
 }  // namespace scree

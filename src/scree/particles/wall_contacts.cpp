@@ -64,11 +64,12 @@ WallContacts find_wall_contacts(const Particles& particles, const Walls& walls, 
 }
 
 void carry_over(WallContacts& fresh, const WallContacts& old, const std::vector<std::int32_t>& place) {
+  const auto owners = static_cast<std::int32_t>(fresh.first.size() - 1);
   for (std::size_t p = 0; p + 1 < old.first.size(); ++p)
     for (std::int32_t from = old.first[p]; from < old.first[p + 1]; ++from) {
       if (!old.active[from]) continue;
       const std::int32_t q = place[p];
-      if (q < 0) continue;
+      if (q < 0 || q >= owners) continue;
       const auto* last = std::as_const(fresh.wall).begin() + fresh.first[q + 1];
       const auto* found = std::lower_bound(std::as_const(fresh.wall).begin() + fresh.first[q], last, old.wall[from]);
       // The first place of the face that nobody has yet.

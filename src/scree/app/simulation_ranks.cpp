@@ -1,0 +1,100 @@
+// A simulation on several ranks: the root conducts, the others follow.
+#include <cstring>
+
+#include "scree/app/simulation.h"
+#include "scree/base/error.h"
+#include "scree/particles/share.h"
+
+namespace scree {
+namespace {
+
+/// The physics has gone wrong on another rank, or this one has told the root.
+struct WrongElsewhere {};
+
+Bytes bytes_of(const std::string& text) {
+  Bytes out(text.size());
+  if (!text.empty()) std::memcpy(out.data(), text.data(), text.size());
+  return out;
+}
+
+}  // namespace
+
+void Simulation::call(Call what) const {
+  if (!ranks_.alone() && ranks_.root()) ranks_.of_root(static_cast<std::int64_t>(what));
+}
+
+std::int64_t Simulation::follow() {
+  for (;;) {
+    try {
+      switch (static_cast<Call>(ranks_.of_root(0))) {
+        case Call::step:
+          advance();
+          break;
+        case Call::gather:
+          gather();
+          break;
+        case Call::dismiss:
+          return ranks_.of_root(0);
+      }
+    } catch (const WrongElsewhere&) {
+      // The root decides what becomes of the run.
+    }
+  }
+}
+
+void Simulation::dismiss(std::int64_t parting) {
+  if (ranks_.alone()) return;
+  call(Call::dismiss);
+  ranks_.of_root(parting);
+}
+
+/// Runs what may find on some ranks only that the physics has gone wrong. It has then gone wrong on all of them: the
+/// root throws what the first of them says.
+void Simulation::together(const std::function<void()>& look) const {
+  if (ranks_.alone()) return look();
+  std::string finding;
+  try {
+    look();
+  } catch (const PhysicsError& error) {
+    finding = error.what();
+  }
+  if (ranks_.all(finding.empty())) return;
+  for (const Bytes& said : ranks_.gather(bytes_of(finding)))
+    if (!said.empty()) throw PhysicsError(std::string(reinterpret_cast<const char*>(said.data()), said.size()));
+  throw WrongElsewhere();
+}
+
+/// Keeps this rank's share of a system that every rank has as a whole.
+void Simulation::settle() {
+  count_ = static_cast<std::int64_t>(system_.particles.size());
+  whole_step_ = -1;
+  if (ranks_.alone()) return;
+  lists_.ranks = ranks_;
+  lists_.blocks = equal_blocks(ranks_.count(), system_.domain);
+  const std::vector<std::int32_t> equal_loads(system_.particles.size(), 1);
+  balance(lists_.blocks, system_.domain, system_.particles, equal_loads, Ranks());
+  lists_.luggage = keep_share(system_, lists_.blocks, ranks_);
+}
+
+std::int64_t Simulation::particles() const {
+  return ranks_.alone() ? static_cast<std::int64_t>(system_.particles.size()) : count_;
+}
+
+void Simulation::gather() {
+  move_walls(clock_.now());
+  refresh_neighbours();
+  const Stopwatch watch(stages_, "gathering");
+  gather_system(system_, ranks_, whole_);
+  whole_step_ = clock_.step;
+}
+
+const ParticleSystem& Simulation::whole() {
+  if (ranks_.alone()) return system_;
+  if (whole_step_ != clock_.step) {
+    call(Call::gather);
+    gather();
+  }
+  return whole_;
+}
+
+}  // namespace scree

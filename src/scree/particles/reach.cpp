@@ -1,0 +1,67 @@
+#include "scree/particles/reach.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scree/physics/touch/shape_contact.h"
+
+namespace scree {
+namespace {
+
+/// How far a JKR neck may be drawn out [m].
+double longest_neck(const ParticleSystem& s, double contact_radius) {
+  if (s.laws.cohesion != SC_COHESION_JKR) return 0;
+  double longest = 0;
+  for (const sc_pair_law& law : s.materials.law)
+    longest = std::max(longest, sc_longest_neck(s.laws, law, contact_radius));
+  return longest;
+}
+
+/// How far apart two shapes may be over how far their overlap is below zero. A gap g makes the growth distance at least
+/// 1 + g/(R_A + R_B) with the bounding radii, and the overlap goes with that times the support of both bodies along
+/// some direction, which is no less than the sum of the radii of the spheres inside.
+double gap_over_overlap(const ParticleSystem& s) {
+  double most = 1;
+  for (const Form& form : s.forms) most = std::max(most, 1 / form.shape.inscribed);
+  return (1 + 1e-9) * most;
+}
+
+}  // namespace
+
+Sizes sizes_of(const Particles& p, const Ranks& ranks) {
+  Sizes own;
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double radius = p.motion.row(i)[lane::radius];
+    sum += radius;
+    own.radius = std::max(own.radius, radius);
+    own.excess = std::max(own.excess, p.effect_excess[i]);
+    own.effect_radius = std::max(own.effect_radius, radius + p.effect_excess[i]);
+    // Against a wall the effective radius of a sphere is its own.
+    own.contact_radius = std::max(own.contact_radius, radius);
+    if (p.shaped()) own.contact_radius = std::max(own.contact_radius, sc_largest_contact_radius(p.radius_by_volume(i)));
+  }
+  std::vector<double> largest{own.radius, own.excess, own.effect_radius, own.contact_radius};
+  ranks.find_largest(largest);
+  Sizes out{largest[0], largest[1], largest[2], largest[3], 0};
+  // In whole parts of the largest, so that it is the same sum on every rank.
+  constexpr double parts = 1 << 20;
+  std::vector<std::int64_t> sums{static_cast<std::int64_t>(p.size()),
+                                 out.radius > 0 ? std::llround(sum / out.radius * parts) : 0};
+  ranks.add_up(sums);
+  if (sums[0] > 0) out.mean_radius = static_cast<double>(sums[1]) / parts * out.radius / static_cast<double>(sums[0]);
+  return out;
+}
+
+double reach_beyond_bodies(const ParticleSystem& s, const Sizes& sizes) {
+  const double overlap =
+      s.laws.cohesion == SC_COHESION_LINEAR ? 2 * sizes.excess : longest_neck(s, sizes.contact_radius);
+  return s.particles.shaped() ? gap_over_overlap(s) * overlap : overlap;
+}
+
+double reach_beyond_effects(const ParticleSystem& s, const Sizes& sizes) {
+  const double between_effects = s.laws.cohesion == SC_COHESION_LINEAR ? 2 * sizes.excess : 0;
+  return reach_beyond_bodies(s, sizes) - between_effects;
+}
+
+}  // namespace scree

@@ -1,0 +1,26 @@
+// How far particles reach: their sizes, and at what distance they may still act on each other.
+#pragma once
+
+#include "scree/mpi/ranks.h"
+#include "scree/particles/system.h"
+
+namespace scree {
+
+/// Sizes of the particles of all ranks, the same on each of them [m].
+struct Sizes {
+  double radius = 0;          // the largest
+  double excess = 0;          // the largest effect radius minus radius
+  double effect_radius = 0;   // the largest
+  double contact_radius = 0;  // the largest effective radius of a contact
+  double mean_radius = 0;
+};
+
+Sizes sizes_of(const Particles& particles, const Ranks& ranks = {});
+
+/// Longest range of interaction between two particle surfaces, beyond their bodies [m].
+double reach_beyond_bodies(const ParticleSystem& system, const Sizes& sizes);
+
+/// The part of that which the effect surfaces do not contain [m].
+double reach_beyond_effects(const ParticleSystem& system, const Sizes& sizes);
+
+}  // namespace scree

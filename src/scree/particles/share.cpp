@@ -1,0 +1,154 @@
+#include "scree/particles/share.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <utility>
+
+#include "scree/base/error.h"
+#include "scree/mpi/rows.h"
+
+namespace scree {
+namespace {
+
+bool everything(Travels) { return true; }
+
+template <class T>
+void pack_table(const std::vector<T>& table, Bytes& to) {
+  const std::size_t count = table.size(), at = to.size();
+  to.resize(at + sizeof count + count * sizeof(T));
+  std::memcpy(to.data() + at, &count, sizeof count);
+  if (count > 0) std::memcpy(to.data() + at + sizeof count, table.data(), count * sizeof(T));
+}
+
+/// Appends the table at `from`; returns the place behind it.
+template <class T>
+const std::byte* unpack_table(std::vector<T>& table, const std::byte* from) {
+  std::size_t count = 0;
+  std::memcpy(&count, from, sizeof count);
+  const std::size_t old = table.size();
+  table.resize(old + count);
+  if (count > 0) std::memcpy(table.data() + old, from + sizeof count, count * sizeof(T));
+  return from + sizeof count + count * sizeof(T);
+}
+
+void pack_contacts(const KeyedContacts& contacts, Bytes& to) {
+  pack_table(contacts.ids, to);
+  pack_table(contacts.memory, to);
+  pack_table(contacts.shape, to);
+}
+
+const std::byte* unpack_contacts(KeyedContacts& contacts, const std::byte* from) {
+  from = unpack_table(contacts.ids, from);
+  from = unpack_table(contacts.memory, from);
+  return unpack_table(contacts.shape, from);
+}
+
+/// Particles with the contacts they take part in.
+struct Parcel {
+  std::vector<std::int32_t> rows;
+  Luggage luggage;
+};
+
+Bytes pack_parcel(const Particles& particles, const Parcel& parcel) {
+  Bytes out;
+  const std::size_t count = parcel.rows.size();
+  out.resize(sizeof count);
+  std::memcpy(out.data(), &count, sizeof count);
+  pack_rows(particles, parcel.rows, everything, out);
+  pack_contacts(parcel.luggage.pairs, out);
+  pack_contacts(parcel.luggage.walls, out);
+  return out;
+}
+
+/// Appends what has come to particles and luggage.
+void unpack_parcel(const Bytes& parcel, Particles& particles, Luggage& luggage) {
+  std::size_t count = 0;
+  std::memcpy(&count, parcel.data(), sizeof count);
+  const std::size_t first = particles.size();
+  particles.resize(first + count);
+  const std::byte* at = unpack_rows(particles, first, count, everything, parcel.data() + sizeof count);
+  at = unpack_contacts(luggage.pairs, at);
+  unpack_contacts(luggage.walls, at);
+}
+
+}  // namespace
+
+Luggage keep_share(ParticleSystem& s, const Blocks& blocks, const Ranks& ranks) {
+  Particles& p = s.particles;
+  const auto here = [&](std::size_t i) { return blocks.owner(p.motion.row(i)) == ranks.rank(); };
+  Luggage luggage;
+  luggage.pairs = keyed_pairs(s, [&](std::size_t c) {
+    return here(std::size_t(s.contacts.pairs.owner[c])) || here(std::size_t(s.contacts.pairs.partner[c]));
+  });
+  luggage.walls = keyed_walls(s, here);
+  std::vector<std::uint32_t> own;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (here(i)) own.push_back(static_cast<std::uint32_t>(i));
+  p.permute(own);
+  s.contacts = with_no_memory({}, s.contacts);
+  s.wall_contacts = {};
+  return luggage;
+}
+
+void migrate(ParticleSystem& s, const Blocks& blocks, const Ranks& ranks, std::vector<std::uint8_t>& gone,
+             Luggage& luggage) {
+  Particles& p = s.particles;
+  const auto n = static_cast<std::int32_t>(p.size());
+  std::vector<int> to(p.size(), ranks.rank());
+  std::vector<int> partners;
+  for (std::int32_t i = 0; i < n; ++i) {
+    if (!gone.empty() && std::size_t(i) < gone.size() && gone[i]) continue;
+    to[i] = blocks.owner(p.motion.row(i));
+    if (to[i] != ranks.rank()) partners.push_back(to[i]);
+  }
+  std::sort(partners.begin(), partners.end());
+  partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+  std::vector<Message> outgoing;
+  for (const int partner : partners) {
+    Parcel parcel;
+    for (std::int32_t i = 0; i < n; ++i)
+      if (to[i] == partner) parcel.rows.push_back(i);
+    const auto goes = [&](std::int32_t i) { return i < n && to[i] == partner; };
+    parcel.luggage.pairs = keyed_pairs(
+        s, [&](std::size_t c) { return goes(s.contacts.pairs.owner[c]) || goes(s.contacts.pairs.partner[c]); });
+    parcel.luggage.walls = keyed_walls(s, [&](std::size_t i) { return goes(static_cast<std::int32_t>(i)); });
+    outgoing.push_back({partner, pack_parcel(p, parcel)});
+  }
+  const std::vector<Message> incoming = ranks.deliver(outgoing);
+  if (!partners.empty()) gone.resize(p.size(), 0);
+  for (std::int32_t i = 0; i < n; ++i)
+    if (to[i] != ranks.rank()) gone[i] = 1;
+  for (const Message& message : incoming) unpack_parcel(message.bytes, p, luggage);
+}
+
+void gather_system(const ParticleSystem& mine, const Ranks& ranks, ParticleSystem& whole) {
+  const Candidates& pairs = mine.contacts.pairs;
+  const Particles& p = mine.particles;
+  const auto n = static_cast<std::int32_t>(p.size());
+  Parcel parcel;
+  parcel.rows.resize(p.size());
+  std::iota(parcel.rows.begin(), parcel.rows.end(), 0);
+  // A pair of two ranks is sent by that of the lower id.
+  parcel.luggage.pairs = keyed_pairs(
+      mine, [&](std::size_t c) { return pairs.partner[c] < n || p.id[pairs.owner[c]] < p.id[pairs.partner[c]]; });
+  parcel.luggage.walls = keyed_walls(mine);
+  const std::vector<Bytes> all = ranks.gather(pack_parcel(p, parcel));
+  if (!ranks.root()) return;
+  whole.domain = mine.domain;
+  whole.laws = mine.laws;
+  whole.materials = mine.materials;
+  whole.walls = mine.walls;
+  whole.forms = mine.forms;
+  whole.vertices = mine.vertices;
+  whole.hard = mine.hard;
+  whole.particles = Particles(p.shaped());
+  Luggage luggage;
+  for (const Bytes& bytes : all) unpack_parcel(bytes, whole.particles, luggage);
+  whole.particles.permute(order_by_id(whole.particles));
+  const RowsById rows = rows_of_held(whole.particles);
+  whole.contacts = pairs_of(luggage.pairs, rows, mine.contacts.remembers_rolling, p.shaped());
+  whole.wall_contacts = walls_of(luggage.walls, rows, whole.particles, mine.walls.size());
+}
+
+}  // namespace scree

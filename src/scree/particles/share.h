@@ -1,0 +1,26 @@
+// This rank's share of the particles: which are its own, how those of others that are near come here, and how
+// particles change their owner.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scree/mpi/blocks.h"
+#include "scree/mpi/ranks.h"
+#include "scree/particles/keyed_contacts.h"
+
+namespace scree {
+
+/// Keeps the particles in this rank's block, of a system that every rank has as a whole, with the contacts that they
+/// take part in.
+Luggage keep_share(ParticleSystem& system, const Blocks& blocks, const Ranks& ranks);
+
+/// Sends particles that have left this rank's block, except those marked in `gone`, to the ranks in whose blocks they
+/// are, and marks them; adds those that come, with what their contacts remember.
+void migrate(ParticleSystem& system, const Blocks& blocks, const Ranks& ranks, std::vector<std::uint8_t>& gone,
+             Luggage& luggage);
+
+/// All particles and contacts of the run, at the root; nothing elsewhere. Particles stand in the order of their ids.
+void gather_system(const ParticleSystem& mine, const Ranks& ranks, ParticleSystem& whole);
+
+}  // namespace scree

@@ -1,0 +1,230 @@
+"""Runs on several processes. usage: ranks_test.py PROGRAM MPIEXEC"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy
+
+PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
+MPIEXEC = sys.argv.pop(1)
+
+# Ranks of one test share processors with those of others, and the tests may run as root in a container.
+ENVIRONMENT = os.environ | {
+    "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_WAIT_POLICY": "passive", "OMPI_MCA_hwloc_base_binding_policy": "none"}
+
+# A crowd that rushes through a box, and over its periodic faces: everybody changes the rank many times.
+CROWD = """
+[simulation]
+end = 0.03
+time_step = 2e-5
+max_overlap = 0.9
+[domain]
+min = [0, 0, 0]
+max = [0.05, 0.05, 0.3]
+periodic = [true, true, false]
+[gravity]
+type = "uniform"
+acceleration = [1, 0.5, -9.81]
+[contact]
+rolling = "spring"
+twisting = "spring"
+[[materials]]
+name = "glass"
+density = 2000
+stiffness = 500
+restitution = 0.9
+friction = 0.3
+rolling_friction = 0.02
+twisting_friction = 0.1
+[[particles]]
+name = "grains"
+material = "glass"
+diameter = { distribution = "uniform", min = "3 mm", max = "6 mm" }
+insert = "random"
+count = 500
+velocity = { type = "random", deviation = 0.7 }
+region_min = [0, 0, 0.008]
+region_max = [0.05, 0.05, 0.06]
+[[walls]]
+name = "floor"
+type = "plane"
+material = "glass"
+point = [0, 0, 0.001]
+normal = [0, 0, 1]
+[output]
+series = "1 ms"
+frames = "5 ms"
+checkpoints = "10 ms"
+contacts = true
+[[analysis.planes]]
+name = "middle"
+point = [0, 0, 0.01]
+normal = [0, 0, 1]
+"""
+
+SHAPES = """
+[simulation]
+end = 0.012
+time_step = 2e-5
+max_overlap = 0.9
+[domain]
+min = [0, 0, 0]
+max = [0.05, 0.05, 0.06]
+periodic = [true, false, false]
+[gravity]
+type = "uniform"
+acceleration = [1, 0, -9.81]
+[[materials]]
+name = "glass"
+density = 2000
+stiffness = 500
+restitution = 0.8
+friction = 0.3
+[[particles]]
+name = "boxes"
+shape = "superellipsoid"
+half_axes = [0.003, 0.002, 0.0015]
+exponents = [0.4, 0.4]
+orientation = { type = "random" }
+material = "glass"
+insert = "random"
+count = 80
+velocity = { type = "random", deviation = 0.7 }
+[[particles]]
+name = "balls"
+diameter = "4 mm"
+material = "glass"
+insert = "random"
+count = 80
+velocity = { type = "random", deviation = 0.7 }
+[[walls]]
+name = "box"
+type = "box"
+material = "glass"
+min = [-0.05, 0, 0]
+max = [0.1, 0.05, 0.06]
+[output]
+series = "1 ms"
+"""
+
+
+def content(file):
+    """Everything in an HDF5 file, but for when and from what case it was written."""
+    found = {}
+    with h5py.File(file) as f:
+        f.visititems(lambda name, item: found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None)
+        found.update({"@" + key: value for key, value in f.attrs.items()})
+    return {key: numpy.asarray(value).tobytes() for key, value in found.items() if key != "@case"}
+
+
+class OnSeveralRanks(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.work = pathlib.Path(temporary.name)
+
+    def scree(self, ranks, case, output, *words, threads=1):
+        (self.work / "case.toml").write_text(case)
+        command = [PROGRAM, "run", "case.toml", "-o", output, "--quiet", "--threads", str(threads), *words]
+        launcher = [MPIEXEC, "-n", str(ranks)] if ranks > 0 else []
+        return subprocess.run(launcher + command, capture_output=True, text=True, cwd=self.work, env=ENVIRONMENT,
+                              timeout=300)
+
+    def run_on(self, ranks, case, output, *words, threads=1):
+        result = self.scree(ranks, case, output, *words, threads=threads)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads((self.work / output / "summary.json").read_text())
+
+    def same_files(self, one, other):
+        names = sorted(p.relative_to(self.work / one) for p in (self.work / one).rglob("*") if p.is_file())
+        self.assertEqual(names, sorted(p.relative_to(self.work / other) for p in (self.work / other).rglob("*")
+                                       if p.is_file()))
+        for name in names:
+            if name.suffix == ".csv":
+                self.assertEqual((self.work / one / name).read_text(), (self.work / other / name).read_text(), name)
+            if name.suffix == ".h5":
+                self.assertEqual(content(self.work / one / name), content(self.work / other / name), name)
+
+    def same_on_all(self, case, ranks):
+        alone = self.run_on(0, case, "alone")
+        for n in ranks:
+            shared = self.run_on(n, case, f"on{n}", threads=1 + n % 2)
+            for key in ("state_hash", "steps", "particles", "contacts", "ledger"):
+                self.assertEqual(shared[key], alone[key], (n, key))
+            self.assertEqual(shared["ranks"], n)
+            self.same_files("alone", f"on{n}")
+
+    def test_spheres_have_the_same_bits_and_files_on_any_number(self):
+        self.same_on_all(CROWD, (2, 3, 4))
+
+    def test_shapes_have_the_same_bits_and_files_on_any_number(self):
+        self.same_on_all(SHAPES, (2, 4))
+
+    def test_goes_on_with_another_number(self):
+        whole = self.run_on(0, CROWD, "whole")
+        self.run_on(2, CROWD, "parts", "--until", "0.01")
+        parts = self.run_on(3, CROWD, "parts", "--restart", "latest")
+        self.assertEqual(parts["state_hash"], whole["state_hash"])
+        self.same_files("whole", "parts")
+
+    def test_physics_gone_wrong_is_told_once_and_leaves_a_checkpoint(self):
+        case = CROWD.replace("max_overlap = 0.9", "max_overlap = 0.2")
+        alone, shared = self.scree(0, case, "alone"), self.scree(3, case, "shared")
+        self.assertEqual(alone.returncode, 3)
+        self.assertEqual(shared.returncode, 3)
+        told = alone.stderr.splitlines()[0]
+        self.assertIn("max_overlap", told)
+        self.assertEqual(shared.stderr.count("exceeds simulation.max_overlap"), 1)
+        self.assertIn(told, shared.stderr)
+        self.same_files("alone", "shared")
+
+    def test_bad_input_is_told_once(self):
+        result = self.scree(3, CROWD.replace("restitution", "restitutoin"), "bad")
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(result.stderr.count("did you mean"), 1, result.stderr)
+
+    def test_one_that_is_killed_takes_the_others_with_it(self):
+        (self.work / "case.toml").write_text(CROWD.replace("end = 0.02", "end = 100"))
+        run = subprocess.Popen([MPIEXEC, "-n", "3", PROGRAM, "run", "case.toml", "-o", "killed", "--quiet"],
+                               cwd=self.work, env=ENVIRONMENT, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        try:
+            while not list(self.work.glob("killed/checkpoint*")):
+                self.assertIsNone(run.poll())
+            followers = [pid for pid in children_of(run.pid) if variable(pid, "OMPI_COMM_WORLD_RANK") == "2"]
+            self.assertEqual(len(followers), 1)
+            os.kill(followers[0], 9)
+            self.assertNotEqual(run.wait(timeout=60), 0)
+        finally:
+            run.kill()
+            run.wait()
+
+    def test_what_is_not_there_yet_is_refused_by_name(self):
+        result = self.scree(2, CROWD.replace("[contact]\n", "[contact]\ncollision = \"hard\"\n")
+                            .replace('rolling = "spring"\n', "").replace('twisting = "spring"\n', "")
+                            .replace("rolling_friction = 0.02\n", "").replace("twisting_friction = 0.1\n", "")
+                            .replace("stiffness = 500\n", ""), "hard")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(result.stderr.count("E191"), 1, result.stderr)
+
+
+def children_of(pid):
+    found = subprocess.run(["pgrep", "-P", str(pid)], capture_output=True, text=True).stdout.split()
+    return [int(child) for child in found] + [c for child in found for c in children_of(child)]
+
+
+def variable(pid, name):
+    for entry in pathlib.Path(f"/proc/{pid}/environ").read_bytes().split(b"\0"):
+        if entry.startswith(name.encode() + b"="):
+            return entry.split(b"=", 1)[1].decode()
+    return None
+
+
+if __name__ == "__main__":
+    unittest.main()
