@@ -3,7 +3,7 @@
 
 #include "scree/app/simulation.h"
 #include "scree/base/error.h"
-#include "scree/particles/share.h"
+#include "scree/particles/migration.h"
 
 namespace scree {
 namespace {

@@ -1,9 +1,12 @@
 #include "scree/particles/audit.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "scree/base/audit.h"
+#include "scree/particles/migration.h"
 
 namespace scree {
 namespace {
@@ -86,11 +89,26 @@ void audit_plan(const ParticleSystem& s, const SweepPlan& plan) {
           "every slot is read by all partners that move here");
 }
 
+/// Two ranks that share a pair must remember the same of it.
+void audit_shared_pairs(const ParticleSystem& s, const Ranks& ranks) {
+  const KeyedContacts all = gather_shared_pairs(s, ranks);
+  const std::size_t count = all.ids.size() / 2, width = count > 0 ? all.shape.size() / count : 0;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>> places;
+  for (std::size_t c = 0; c < count; ++c) places[{all.ids[2 * c], all.ids[2 * c + 1]}].push_back(c);
+  for (const auto& [key, at] : places) {
+    require(at.size() == 2, "a pair of two ranks acts on both");
+    require(std::equal(&all.memory[9 * at[0]], &all.memory[9 * at[0]] + 9, &all.memory[9 * at[1]]) &&
+                std::equal(&all.shape[width * at[0]], &all.shape[width * at[0]] + width, &all.shape[width * at[1]]),
+            "two ranks that share a pair remember the same of it");
+  }
+}
+
 }  // namespace
 
 void audit_lists(const ParticleSystem& s, const ContactLists& lists) {
   audit_candidates(s, lists.skin);
   audit_plan(s, lists.plan);
+  if (!lists.ranks.alone()) audit_shared_pairs(s, lists.ranks);
 }
 
 }  // namespace scree

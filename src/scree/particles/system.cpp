@@ -6,9 +6,9 @@
 
 #include "scree/base/audit.h"
 #include "scree/particles/audit.h"
+#include "scree/particles/migration.h"
 #include "scree/particles/neighbours.h"
 #include "scree/particles/reach.h"
-#include "scree/particles/share.h"
 #include "scree/particles/vertex_views.h"
 
 namespace scree {

@@ -1,5 +1,4 @@
-// This rank's share of the particles: which are its own, how those of others that are near come here, and how
-// particles change their owner.
+// Which particles are this rank's own, how they change their owner, and how all come together at the root.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +18,9 @@ Luggage keep_share(ParticleSystem& system, const Blocks& blocks, const Ranks& ra
 /// are, and marks them; adds those that come, with what their contacts remember.
 void migrate(ParticleSystem& system, const Blocks& blocks, const Ranks& ranks, std::vector<std::uint8_t>& gone,
              Luggage& luggage);
+
+/// The pairs of two ranks as each of the two remembers them, at the root: every one twice.
+KeyedContacts gather_shared_pairs(const ParticleSystem& mine, const Ranks& ranks);
 
 /// All particles and contacts of the run, at the root; nothing elsewhere. Particles stand in the order of their ids.
 void gather_system(const ParticleSystem& mine, const Ranks& ranks, ParticleSystem& whole);

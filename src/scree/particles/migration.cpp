@@ -1,4 +1,4 @@
-#include "scree/particles/share.h"
+#include "scree/particles/migration.h"
 
 #include <algorithm>
 #include <cstring>
@@ -120,6 +120,16 @@ void migrate(ParticleSystem& s, const Blocks& blocks, const Ranks& ranks, std::v
   for (std::int32_t i = 0; i < n; ++i)
     if (to[i] != ranks.rank()) gone[i] = 1;
   for (const Message& message : incoming) unpack_parcel(message.bytes, p, luggage);
+}
+
+KeyedContacts gather_shared_pairs(const ParticleSystem& mine, const Ranks& ranks) {
+  const std::size_t own = mine.particles.size();
+  Bytes packed;
+  pack_contacts(keyed_pairs(mine, [&](std::size_t c) { return std::size_t(mine.contacts.pairs.partner[c]) >= own; }),
+                packed);
+  KeyedContacts all;
+  for (const Bytes& bytes : ranks.gather(packed)) unpack_contacts(all, bytes.data());
+  return all;
 }
 
 void gather_system(const ParticleSystem& mine, const Ranks& ranks, ParticleSystem& whole) {
