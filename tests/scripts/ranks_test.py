@@ -156,7 +156,7 @@ class OnSeveralRanks(unittest.TestCase):
         alone = self.run_on(0, case, "alone")
         for n in ranks:
             shared = self.run_on(n, case, f"on{n}", threads=1 + n % 2)
-            for key in ("state_hash", "steps", "particles", "contacts", "ledger"):
+            for key in ("state_hash", "steps", "particles", "contacts", "wall_contacts", "ledger"):
                 self.assertEqual(shared[key], alone[key], (n, key))
             self.assertEqual(shared["ranks"], n)
             self.same_files("alone", f"on{n}")
