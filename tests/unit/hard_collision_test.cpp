@@ -108,6 +108,9 @@ TEST(HardCollision, LeavesABallAtRestInPeace) {
   const std::string ball = ball_at("[0, 0, 0.5002]", "[0, 0, 0]");
   Simulation s(case_of(balls_text("restitution = 0.8\nfriction = 0.5\n", ball, floor)), {1});
   advance(s, 200);
+  EXPECT_GT(s.tally().contacts, 100);
+  EXPECT_EQ(s.tally().wall_contacts, s.tally().contacts);
+  EXPECT_EQ(s.sample().findings.wall_contacts, 1);
   const double place = motion(s, 0, lane::z);
   for (int k = 0; k < 1000; ++k) {
     s.step();

@@ -94,7 +94,7 @@ class RanksOfRun {
  private:
   Ranks ranks_;
   Processors processors_ = processors_alone();
-  bool joined_ = false;
+  [[maybe_unused]] bool joined_ = false;  // without MPI there is nothing to join
 };
 
 }  // namespace scree

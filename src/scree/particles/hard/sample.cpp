@@ -98,6 +98,7 @@ SweepFindings find(const ParticleSystem& s) {
     for (std::int32_t w = s.wall_contacts.first[i]; w < s.wall_contacts.first[i + 1]; ++w) {
       if (!s.wall_contacts.active[w]) continue;
       ++out.contacts;
+      ++out.wall_contacts;
       out.deepest = std::max(out.deepest, overlap_at_wall(s, i, w) / p.radius_by_volume(i));
     }
   return out;

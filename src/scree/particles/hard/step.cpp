@@ -16,7 +16,10 @@ namespace {
 SweepFindings count(const HardContacts& h) {
   SweepFindings out;
   out.contacts = static_cast<std::int64_t>(h.all.size());
-  for (const HardContact& c : h.all) out.deepest = std::max(out.deepest, c.overlap / c.smaller);
+  for (const HardContact& c : h.all) {
+    out.deepest = std::max(out.deepest, c.overlap / c.smaller);
+    out.wall_contacts += c.at_wall();
+  }
   return out;
 }
 
