@@ -25,10 +25,11 @@ std::vector<fs::path> shipped_cases() {
   return found;
 }
 
-std::size_t groups_in(const fs::path& path) {
+/// How many groups of particles come from a table.
+std::size_t tables_in(const fs::path& path) {
   std::ifstream file(path);
   std::size_t count = 0;
-  for (std::string line; std::getline(file, line);) count += line == "[[particles]]";
+  for (std::string line; std::getline(file, line);) count += line == "insert = \"file\"";
   return count;
 }
 
@@ -38,9 +39,8 @@ std::vector<std::string> changes_for(const fs::path& path) {
   if (path.parent_path() != source / "bench" || name == "linear") return {};
   const std::string mesh = (source / "verify/29_mesh_box/box.obj").string();
   std::vector<std::string> changes;
-  if (!name.starts_with("make_"))
-    for (std::size_t k = 0; k < groups_in(path); ++k)
-      changes.push_back("particles." + std::to_string(k) + ".file=\"" + path.string() + "\"");
+  for (std::size_t k = 0; k < tables_in(path); ++k)
+    changes.push_back("particles." + std::to_string(k) + ".file=\"" + path.string() + "\"");
   if (name.ends_with("drum") || name.ends_with("silo")) changes.push_back("walls.0.file=\"" + mesh + "\"");
   return changes;
 }

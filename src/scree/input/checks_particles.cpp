@@ -44,7 +44,7 @@ void check_shape(const Check& check, std::size_t index) {
       !check.sound({path + ".shape", path + ".half_axes", path + ".exponents", path + ".orientation"}))
     return;
   const auto [least, most] = std::minmax_element(p.half_axes.begin(), p.half_axes.end());
-  if (*most > largest_ratio * *least)
+  if (*most > (1 + 1e-9) * largest_ratio * *least)  // lengths with units are rounded
     check.fail("E167", path + ".half_axes", "the shape is too long or too flat",
                fmt::format("the half axes differ by a factor of {:.4g}", *most / *least), "up to 20 is possible");
   if (p.exponents.size() != 2)

@@ -36,6 +36,13 @@ inline sc_body_gap noted_gap(const AmongWalls& a, std::int32_t w) {
   return gap;
 }
 
+/// Where the scaled body touches the face, from the centre: that of a plane is not its contact point, which lies below
+/// the farthest point of the body as it is.
+inline sc_vec touching_point(const AmongWalls& a, std::int32_t w) {
+  const sc_body_gap gap = noted_gap(a, w);
+  return gap.plain ? sc_scale(gap.growth, sc_add_scaled(gap.arm, gap.overlap, gap.normal)) : gap.arm;
+}
+
 /// The memory of one place of a face, aside.
 struct PlaceMemory {
   std::uint8_t active = 0;
@@ -180,7 +187,7 @@ inline Gathered gather_walls_of_sphere(const SweepView& v, std::int64_t p, Sweep
     drop_faces(
         a, [&](std::int32_t w) { return a.gap(w).corners != dropped; },
         [&](std::int32_t w) {
-          return counts(a, w, body.radius, growth, [&](std::int32_t u) { return vec_of(memory_row(a.v, u) + 4); });
+          return counts(a, w, body.radius, growth, [&](std::int32_t u) { return touching_point(a, u); });
         });
   // Two places of a round wall may also have become one.
   forget_dropped(a);
