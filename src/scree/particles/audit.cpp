@@ -95,11 +95,15 @@ void audit_shared_pairs(const ParticleSystem& s, const Ranks& ranks) {
   const std::size_t count = all.ids.size() / 2, width = count > 0 ? all.shape.size() / count : 0;
   std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>> places;
   for (std::size_t c = 0; c < count; ++c) places[{all.ids[2 * c], all.ids[2 * c + 1]}].push_back(c);
-  for (const auto& [key, at] : places) {
+  for (const auto& [key, rows] : places) {
+    const std::vector<std::size_t>& at = rows;
     require(at.size() == 2, "a pair of two ranks acts on both");
-    require(std::equal(&all.memory[9 * at[0]], &all.memory[9 * at[0]] + 9, &all.memory[9 * at[1]]) &&
-                std::equal(&all.shape[width * at[0]], &all.shape[width * at[0]] + width, &all.shape[width * at[1]]),
-            "two ranks that share a pair remember the same of it");
+    const auto alike = [&at](const std::vector<double>& table, std::size_t columns) {
+      const auto one = table.begin() + static_cast<std::ptrdiff_t>(columns * at[0]),
+                 other = table.begin() + static_cast<std::ptrdiff_t>(columns * at[1]);
+      return std::equal(one, one + static_cast<std::ptrdiff_t>(columns), other);
+    };
+    require(alike(all.memory, 9) && alike(all.shape, width), "two ranks that share a pair remember the same of it");
   }
 }
 

@@ -20,7 +20,8 @@ CellLattice::CellLattice(const Domain& domain, const std::array<double, 3>& low,
     if (total > static_cast<double>(max_cells)) continue;
     for (int k = 0; k < 3; ++k) {
       cells_[k] = std::max(1, static_cast<int>(extent[k] / w));
-      per_width_[k] = extent[k] > 0 ? cells_[k] / extent[k] : 0.0;
+      // One cell takes all, however little its particles are apart.
+      per_width_[k] = cells_[k] > 1 ? cells_[k] / extent[k] : 0.0;
     }
     break;
   }
