@@ -207,6 +207,19 @@ class OnSeveralRanks(unittest.TestCase):
             run.kill()
             run.wait()
 
+    def test_a_binding_that_leaves_processors_idle_is_told(self):
+        if len(os.sched_getaffinity(0)) < 2:
+            self.skipTest("there is only one processor")
+        (self.work / "case.toml").write_text(CROWD)
+        told = {}
+        for binding in ("core", "none"):
+            command = [MPIEXEC, "-n", "1", "--bind-to", binding, PROGRAM, "run", "case.toml", "-o", binding, "--until", "1e-4"]
+            told[binding] = subprocess.run(command, capture_output=True, text=True, cwd=self.work, timeout=300,
+                                           env=ENVIRONMENT)
+            self.assertEqual(told[binding].returncode, 0, told[binding].stderr)
+        self.assertIn("--bind-to none", told["core"].stderr)
+        self.assertNotIn("--bind-to none", told["none"].stderr)
+
     def test_what_is_not_there_yet_is_refused_by_name(self):
         result = self.scree(2, CROWD.replace("[contact]\n", "[contact]\ncollision = \"hard\"\n")
                             .replace('rolling = "spring"\n', "").replace('twisting = "spring"\n', "")

@@ -197,13 +197,13 @@ void refuse_on_ranks(const Case& c, const Ranks& ranks) {
   if (!build_outlets(c).empty() || !build_feeds(c).empty()) refuse("simulation.exchange_every", "feeds and outlets");
 }
 
-/// What it means for the run if the ranks of this machine may not use all of its processors; empty if they may.
+/// What to do if the ranks of this machine are bound so that processors stay idle; empty if they are not.
 std::string idle_processors(const Processors& p, int threads) {
-  if (p.ranks == 1 || p.used >= p.there || threads > 1) return {};
+  if (p.used >= p.there || threads > p.mine) return {};
   return fmt::format(
-      "the {} ranks of this machine may use {} of its {} processors: mpirun binds them. To use all, give mpirun "
-      "`--bind-to none`, or `--map-by slot:pe={}`",
-      p.ranks, p.used, p.there, std::max(1, p.there / p.ranks));
+      "the processes of this run are bound to {} of the {} processors of this machine. To use all, give mpirun "
+      "`--bind-to none`",
+      p.used, p.there);
 }
 
 /// Says what is to be known before a run begins.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <numeric>
 
 #ifdef SCREE_MPI
 #include <mpi.h>
@@ -13,12 +14,12 @@
 namespace scree {
 namespace {
 
-/// 1 for every processor that this process may use.
-std::vector<int> own_processors() {
+/// 1 for every processor that a process may use; 0 is this one.
+std::vector<int> processors_of(pid_t process) {
   std::vector<int> out(CPU_SETSIZE, 0);
   cpu_set_t set;
   CPU_ZERO(&set);
-  if (sched_getaffinity(0, sizeof set, &set) != 0) return out;
+  if (sched_getaffinity(process, sizeof set, &set) != 0) return out;
   for (int k = 0; k < CPU_SETSIZE; ++k) out[k] = CPU_ISSET(k, &set) ? 1 : 0;
   return out;
 }
@@ -34,7 +35,7 @@ Processors share_of(const std::vector<int>& own, const std::vector<int>& users, 
   }
   out.mine = std::max(1, static_cast<int>(mine + 1e-6));
   out.used = std::max(1, out.used);
-  out.there = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
+  out.there = out.used;
   out.ranks = ranks;
   return out;
 }
@@ -42,7 +43,7 @@ Processors share_of(const std::vector<int>& own, const std::vector<int>& users, 
 }  // namespace
 
 Processors processors_alone() {
-  const std::vector<int> own = own_processors();
+  const std::vector<int> own = processors_of(0);
   return share_of(own, own, 1);
 }
 
@@ -169,10 +170,13 @@ RanksOfRun::RanksOfRun() {
   MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank, MPI_INFO_NULL, &machine);
   int neighbours = 1;
   MPI_Comm_size(machine, &neighbours);
-  const std::vector<int> own = own_processors();
+  const std::vector<int> own = processors_of(0);
   std::vector<int> users = own;
   MPI_Allreduce(MPI_IN_PLACE, users.data(), CPU_SETSIZE, MPI_INT, MPI_SUM, machine);
   processors_ = share_of(own, users, neighbours);
+  // A launcher that binds its ranks is not bound itself.
+  const std::vector<int> of_launcher = processors_of(getppid());
+  processors_.there = std::max(processors_.used, std::accumulate(of_launcher.begin(), of_launcher.end(), 0));
   MPI_Comm_free(&machine);
 }
 

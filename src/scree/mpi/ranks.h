@@ -69,7 +69,7 @@ class Ranks {
 struct Processors {
   int mine = 1;   // this rank's share: where several may use a processor, each has a part of it
   int used = 1;   // by all ranks of this machine together
-  int there = 1;  // in the machine
+  int there = 1;  // that whoever started the ranks may use
   int ranks = 1;  // on this machine
 };
 
