@@ -53,6 +53,23 @@ void expect_words(const std::string& text, const std::vector<std::string>& words
     EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' in: " << text;
 }
 
+/// A plate that would come out behind a wall without thickness long before its overlap is a fifth of its radius by
+/// volume.
+TEST(Guard, StopsAThinPlateBeforeItIsThroughAWall) {
+  const std::string plate =
+      "[simulation]\nend = 0.02\ntime_step = 5e-6\n[domain]\nmin = [-0.02, -0.02, -0.02]\nmax = [0.02, 0.02, 0.02]\n"
+      "[[materials]]\nname = \"sheet\"\ndensity = 1200\nstiffness = 600\nrestitution = 1\n"
+      "[[particles]]\nname = \"plate\"\nmaterial = \"sheet\"\nshape = \"box\"\nhalf_axes = [3e-3, 3e-3, 1.6e-4]\n"
+      "insert = \"positions\"\npositions = [[0, 0, 3e-3]]\nvelocity = [0, 0, -1.5]\n"
+      "[[walls]]\nname = \"floor\"\ntype = \"rectangle\"\nmaterial = \"sheet\"\n"
+      "min = [-0.015, -0.015, 0]\nmax = [0.015, 0.015, 0]\n";
+  const Failure f = failure_of(plate);
+  expect_words(f.text, {"particle 0 ", "wall 'floor'", "max_overlap"});
+  EXPECT_NEAR(f.time, (3e-3 - 1.6e-4 + 0.2 * 1.6e-4) / 1.5, 2e-5);
+  // Stiff enough, it bounces.
+  EXPECT_EQ(failure_of(plate, {"materials.sheet.stiffness=1e6", "simulation.time_step=5e-7"}).text, "no error");
+}
+
 TEST(Guard, NamesALostParticleItsPlaceAndTime) {
   const Failure f = failure_of(two_text("[0.09, 0.02, 0.03]", "[5, 0, 0]"));
   // It is lost when its centre passes x = 0.1, after 0.01/5 s.

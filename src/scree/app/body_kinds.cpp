@@ -95,6 +95,7 @@ void take_shape(BodyKind& kind, const ParticleKeys& keys) {
   Axes inertia = form.inertia;
   std::sort(inertia.begin(), inertia.end());
   kind.thickness *= *std::min_element(axes.begin(), axes.end()) / form.equivalent_radius;
+  kind.inscribed = form.shape.inscribed / form.equivalent_radius;
   kind.tip = std::sqrt(1 + 1 / inertia[1]);
 }
 

@@ -22,6 +22,7 @@ struct BodyKind {
   double density = 0;                // [kg/m3]
   double smallest = 0, largest = 0;  // diameters that the case can create [m]
   double thickness = 0;              // least, of the smallest body [m]
+  double inscribed = 1;              // diameter of a sphere inside a body over that by volume
   double tip = 1;                    // how much faster than its centre a point of a tumbling body gets; 1: sphere
   double volume = 0;                 // of all of them [m3]
   double effect_gap = 0;             // effect diameter minus body diameter [m]

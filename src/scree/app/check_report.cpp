@@ -132,8 +132,9 @@ void say_step(const Case& c, const DerivedStep& s, Lines& lines) {
          fmt::format("beds do not come to rest; use a time step of at most {:.3g} s, or \"auto\"", s.damped_step)});
   if (s.overlap > 0)
     lines.push_back({"overlap at top speed",
-                     std::isinf(s.overlap) ? "cohesion is as stiff as the bodies"
-                                           : fmt::format("{:.3g} % of the radius, {}", 100 * s.overlap, s.deepest),
+                     std::isinf(s.overlap)
+                         ? "cohesion is as stiff as the bodies"
+                         : fmt::format("{:.3g} % of the smaller radius, {}", 100 * s.overlap, s.deepest),
                      warn_if(s.overlap > c.simulation.max_overlap),
                      fmt::format("the run stops beyond {:g} %: use stiffer materials, lower speeds, or raise "
                                  "simulation.max_overlap",

@@ -22,6 +22,7 @@ struct Body {
   const BodyKind* kind;
   double diameter;
 
+  double inscribed_radius() const { return 0.5 * diameter * kind->inscribed; }
   double inverse_mass() const { return kind->free ? 1 / (kind->density * sphere_volume(diameter)) : 0.0; }
 };
 
@@ -39,7 +40,7 @@ Encounter meeting(const Materials& materials, const Body& a, const Body& b) {
   e.restitution = materials.restitution[materials.index(a.kind->material, b.kind->material)];
   e.mass = 1 / (a.inverse_mass() + b.inverse_mass());
   e.radius = 0.5 / (1 / a.diameter + 1 / b.diameter);
-  e.smaller_radius = 0.5 * std::min(a.diameter, b.diameter);
+  e.smaller_radius = std::min(a.inscribed_radius(), b.inscribed_radius());
   e.reach = 0.5 * (a.kind->effect_gap + b.kind->effect_gap);
   return e;
 }
@@ -51,7 +52,8 @@ Encounter meeting(const Materials& materials, const Body& a, const std::string& 
   e.law = materials.pair(a.kind->material, wall_material);
   e.restitution = materials.restitution[materials.index(a.kind->material, wall_material)];
   e.mass = 1 / a.inverse_mass();
-  e.radius = e.smaller_radius = 0.5 * a.diameter;
+  e.radius = 0.5 * a.diameter;
+  e.smaller_radius = a.inscribed_radius();
   e.reach = 0.5 * a.kind->effect_gap;
   return e;
 }

@@ -19,7 +19,7 @@ struct Encounter {
   double restitution = 1;
   double mass = 0;            // reduced mass [kg]
   double radius = 0;          // effective radius R* [m]
-  double smaller_radius = 0;  // [m]
+  double smaller_radius = 0;  // of shapes that of the sphere inside [m]
   double reach = 0;           // how far apart the bodies are when linear cohesion begins [m]
 };
 

@@ -56,7 +56,8 @@ Overlap deepest_pair(const ParticleSystem& s) {
   std::size_t a = 0, b = 0;
   for (std::size_t c = 0; c < s.contacts.pairs.count; ++c) {
     const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
-    const double share = overlap_of_pair(s, c) / std::min(p.radius_by_volume(i), p.radius_by_volume(j));
+    const double share =
+        overlap_of_pair(s, c) / std::min(inscribed_radius(p, i, s.forms), inscribed_radius(p, j, s.forms));
     if (share <= worst.share) continue;
     worst.share = share;
     a = static_cast<std::size_t>(i);
@@ -75,7 +76,7 @@ double share_of(const ParticleSystem& s, std::size_t particle, std::int32_t c) {
   if (!is_sphere(s.particles, particle)) {
     // As the last pass saw it.
     const double* shape = &s.wall_contacts.shape[wall_memory * std::size_t(c)];
-    return s.wall_contacts.active[c] ? shape[wall_scratch + 1] / s.particles.radius_by_volume(particle) : -1;
+    return s.wall_contacts.active[c] ? shape[wall_scratch + 1] / inscribed_radius(s.particles, particle, s.forms) : -1;
   }
   return 1 - sc_gap_to_wall(s.walls.faces[face], s.walls.pose_of(face), x).distance / m[lane::radius];
 }

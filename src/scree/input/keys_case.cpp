@@ -60,7 +60,8 @@ const Section& simulation_section() {
        key("seed", &S::seed, "seed of every random draw; the same seed gives the same particles on any machine"),
        key("max_overlap", &S::max_overlap,
            "overlap at which the run stops, as a fraction of the smaller of the two radii; at a wall of the particle's "
-           "radius")
+           "radius; of a particle that is no sphere the radius of a sphere inside it counts: the least half axis, less "
+           "where exponents are above 1")
            .above(0)
            .at_most(2)
            .may_change_at_restart(),

@@ -14,6 +14,12 @@ inline bool is_sphere(const Particles& particles, std::size_t i) {
   return !particles.shaped() || particles.form[i] == 0;
 }
 
+/// Radius of a sphere inside particle i; of a sphere its own. Who overlaps by that much may come out on the other side.
+inline double inscribed_radius(const Particles& particles, std::size_t i, const Forms& forms) {
+  const double radius = particles.motion.row(i)[lane::radius];
+  return is_sphere(particles, i) ? radius : radius * forms[static_cast<std::size_t>(particles.form[i])].shape.inscribed;
+}
+
 inline sc_quat orientation_of(const Particles& particles, std::size_t i) {
   const double* q = particles.orientation.row(i);
   return sc_make_quat(q[0], q[1], q[2], q[3]);

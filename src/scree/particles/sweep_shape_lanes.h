@@ -154,7 +154,7 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
   s.slide[3][i] = r.state.approach;
   s.slid[i] = r.state.slid;
   s.touching[i] = r.action.touching ? R(1) : R(0);
-  s.depth[i] = place.overlap / SC_MIN(s.moments_i[3][i], s.moments_j[3][i]);
+  s.depth[i] = place.overlap;
 }
 
 template <int Normal, int Tangential>
@@ -198,7 +198,7 @@ inline bool lanes_act(const sc_laws& laws) {
     v.active[c] = contact_code(true, s.slid[l] != 0);
     mark_slot(v, c, true);
     ++findings.contacts;
-    findings.deepest = SC_MAX(findings.deepest, s.depth[l]);
+    note_depth(v, c, s.depth[l], findings);
   }
   return ends;
 }

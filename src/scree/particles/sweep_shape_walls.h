@@ -160,7 +160,7 @@ inline void keep_place(const AmongWalls& a, std::int32_t w, const sc_vec& arm, c
   g.turn += lane4{torque.x, torque.y, torque.z, r.action.loss_sliding};
   g.couple += lane4{0, 0, 0, r.action.loss_rolling};
   book_wall(a, w, arm, r);
-  findings.deepest = SC_MAX(findings.deepest, place.overlap / by_volume);
+  findings.deepest = SC_MAX(findings.deepest, place.overlap / inscribed_radius(v, a.p));
   remember_wall(a, w, v.laws, law, touch, r, findings);
   if (!r.action.touching) return;
   keep_place(a, w, place.arm_a, memory);

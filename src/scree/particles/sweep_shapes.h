@@ -159,6 +159,16 @@ inline double excess_of(const SweepView& v, const ShapePair& pair) {
 
 inline double* slot_at(const SweepView& v, std::int64_t c) { return v.slots + shape_slot * std::int64_t{v.slot[c]}; }
 
+/// Radius of a sphere inside particle i, over which its overlaps count.
+inline double inscribed_radius(const SweepView& v, std::int64_t i) {
+  return v.motion[8 * i + 3] * v.shapes.forms[v.shapes.form[i]].inscribed;
+}
+
+inline void note_depth(const SweepView& v, std::int64_t c, double overlap, SweepFindings& findings) {
+  const double smaller = SC_MIN(inscribed_radius(v, v.owner[c]), inscribed_radius(v, v.partner[c]));
+  findings.deepest = SC_MAX(findings.deepest, overlap / smaller);
+}
+
 /// Evaluates the laws, fills the slot and keeps what the pair remembers.
 inline void act_as_meeting(const SweepView& v, std::int64_t c, const ShapePair& pair, const ShapeMeeting& m,
                            SweepFindings& findings) {
@@ -173,8 +183,7 @@ inline void act_as_meeting(const SweepView& v, std::int64_t c, const ShapePair& 
   const sc_touch touch = sc_touch_at(m.place, a, b, m.excess);
   const sc_contact_result r = sc_contact_act(v.laws, m.law, touch, v.time, shape_state(v, c));
   fill_shape_slot(slot_at(v, c), m.place, r.action);
-  const double smaller = SC_MIN(v.shapes.inertia[4 * pair.i + 3], v.shapes.inertia[4 * pair.j + 3]);
-  findings.deepest = SC_MAX(findings.deepest, m.place.overlap / smaller);
+  note_depth(v, c, m.place.overlap, findings);
   keep_shape_memory(pair.memory, r.action.touching ? m.memory : sc_shape_memory{});
   remember_shapes(v, c, r, sc_dot(touch.velocity, touch.normal), findings);
 }

@@ -125,7 +125,7 @@ inline constexpr double speed_quantum = 0x1p-40;  // [m/s]
 /// What a pass found out, for the guards and the series.
 struct SweepFindings {
   double fastest2 = 0;             // largest speed squared [m2/s2]
-  double deepest = 0;              // largest overlap over the smaller radius [-]
+  double deepest = 0;              // largest overlap over the smaller radius, of shapes that of the sphere inside [-]
   std::int64_t contacts = 0;       // pairs and walls that acted
   std::int64_t wall_contacts = 0;  // of these with walls
   std::int64_t impacts = 0;        // pairs that began to act

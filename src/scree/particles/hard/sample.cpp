@@ -90,8 +90,8 @@ SweepFindings find(const ParticleSystem& s) {
   for (std::size_t c = 0; c < s.contacts.pairs.count; ++c) {
     if (!s.contacts.active[c]) continue;
     ++out.contacts;
-    const double smaller =
-        std::min(p.radius_by_volume(s.contacts.pairs.owner[c]), p.radius_by_volume(s.contacts.pairs.partner[c]));
+    const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
+    const double smaller = std::min(inscribed_radius(p, i, s.forms), inscribed_radius(p, j, s.forms));
     out.deepest = std::max(out.deepest, overlap_of_pair(s, c) / smaller);
   }
   for (std::size_t i = 0; i + 1 < s.wall_contacts.first.size(); ++i)
@@ -99,7 +99,7 @@ SweepFindings find(const ParticleSystem& s) {
       if (!s.wall_contacts.active[w]) continue;
       ++out.contacts;
       ++out.wall_contacts;
-      out.deepest = std::max(out.deepest, overlap_at_wall(s, i, w) / p.radius_by_volume(i));
+      out.deepest = std::max(out.deepest, overlap_at_wall(s, i, w) / inscribed_radius(p, i, s.forms));
     }
   return out;
 }

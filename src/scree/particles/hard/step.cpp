@@ -13,11 +13,13 @@
 namespace scree {
 namespace {
 
-SweepFindings count(const HardContacts& h) {
+SweepFindings count(const ParticleSystem& s, const HardContacts& h) {
   SweepFindings out;
   out.contacts = static_cast<std::int64_t>(h.all.size());
   for (const HardContact& c : h.all) {
-    out.deepest = std::max(out.deepest, c.overlap / c.smaller);
+    double smaller = inscribed_radius(s.particles, c.a, s.forms);
+    if (!c.at_wall()) smaller = std::min(smaller, inscribed_radius(s.particles, c.b, s.forms));
+    out.deepest = std::max(out.deepest, c.overlap / smaller);
     out.wall_contacts += c.at_wall();
   }
   return out;
@@ -32,14 +34,6 @@ void count_impacts(const HardContacts& h, SweepFindings& findings) {
   }
 }
 
-/// Half the least thickness of a body [m].
-double least_radius(const ParticleSystem& s, std::size_t i) {
-  const double radius = s.particles.motion.row(i)[lane::radius];
-  if (is_sphere(s.particles, i)) return radius;
-  const sc_vec axes = s.forms[static_cast<std::size_t>(s.particles.form[i])].shape.axes;
-  return radius * std::min({axes.x, axes.y, axes.z});
-}
-
 /// How far bodies went.
 void measure_ways(const ParticleSystem& s, const sc_move& move, HardStep& step) {
   step.way = step.stride = 0;
@@ -47,7 +41,7 @@ void measure_ways(const ParticleSystem& s, const sc_move& move, HardStep& step) 
     const sc_vec sum = sc_add(step.before[i].velocity, step.contacts.bodies[i].velocity);
     const double way = 0.5 * move.drift * sc_norm(sum);
     step.way = std::max(step.way, step.relocated + way);
-    step.stride = std::max(step.stride, way / least_radius(s, i));
+    step.stride = std::max(step.stride, way / inscribed_radius(s.particles, i, s.forms));
   }
 }
 
@@ -58,7 +52,7 @@ void collide_and_drift(ParticleSystem& s, ContactLists& lists, const HardSetting
   HardContacts& h = step.contacts;
   find_hard_contacts(s, lists, h);
   colour_contacts(h);
-  step.findings = count(h);
+  step.findings = count(s, h);
   step.relocated = relocate(s, h, settings, move.gravity);
   collide(h, settings, move.kick * sc_norm(move.gravity));
   count_impacts(h, step.findings);

@@ -14,7 +14,7 @@ struct HardStep {
   std::vector<HardPush> given;
   double relocated = 0;  // the longest way of a body by relocation [m]
   double way = 0;        // the longest way of a body in all [m]
-  double stride = 0;     // the longest way by its velocity, over half the least thickness [-]
+  double stride = 0;     // the longest way by its velocity, over the radius of a sphere inside the body [-]
   SweepFindings findings;
 };
 
