@@ -20,7 +20,7 @@ std::string crowd_text(int each, double side, const std::string& material, const
                                 "shape = \"superellipsoid\"\nexponents = [1.5, 0.3]\nhalf_axes = [3e-3, 3e-3, 1e-3]\n",
                                 "diameter = 3e-3\n"};
   std::string text = fmt::format(
-      "[simulation]\nend = 10\ntime_step = 1e-4\nmax_overlap = 0.9\nseed = 5\n"
+      "[simulation]\nend = 10\ntime_step = 1e-4\nmax_overlap = 2\nseed = 5\n"
       "[domain]\nmin = [-0.001, -0.001, -0.001]\nmax = [{0}, {0}, {0}]\n{1}[contact]\ncollision = \"hard\"\n"
       "[[materials]]\nname = \"glass\"\ndensity = 2000\n{2}",
       side + 0.001, more, material);

@@ -34,7 +34,7 @@ const LawChoice rough_jkr{"rough_jkr", "normal = \"hertz\"\ncohesion = \"jkr\"\n
 std::string room_text(const LawChoice& laws, double time_step, double restitution) {
   char text[400];
   std::snprintf(text, sizeof text,
-                "[simulation]\nend = 10\nmax_overlap = 0.9\ntime_step = %.17g\n[domain]\nmin = [-1, -1, -1]\n"
+                "[simulation]\nend = 10\nmax_overlap = 2\ntime_step = %.17g\n[domain]\nmin = [-1, -1, -1]\n"
                 "max = [1, 1, 1]\n[contact]\n%s",
                 time_step, laws.contact.c_str());
   return text + test::material_text(laws, "glass", laws.hertz ? 2e4 : 2e5, restitution);
