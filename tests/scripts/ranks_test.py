@@ -154,13 +154,26 @@ class OnSeveralRanks(unittest.TestCase):
             if name.suffix == ".h5":
                 self.assertEqual(content(self.work / one / name), content(self.work / other / name), name)
 
+    def assert_shared(self, summary, ranks):
+        """A rank sends each partner one message per step at most, but for steps with new lists; nobody is busier than all."""
+        sharing = summary["sharing"]
+        self.assertGreater(sharing["messages"], 0.5)
+        self.assertLess(sharing["messages"], 3 * (ranks - 1))
+        self.assertGreater(sharing["bytes"], 48 * sharing["messages"])
+        self.assertGreaterEqual(sharing["imbalance"], 0)
+        self.assertLess(sharing["imbalance"], ranks - 1)
+        self.assertGreaterEqual(sharing["most_particles"], summary["particles"] / ranks)
+        self.assertLessEqual(sharing["busy"] + sharing["waiting"], summary["wall_seconds"])
+
     def same_on_all(self, case, ranks):
         alone = self.run_on(0, case, "alone")
+        self.assertEqual(alone["sharing"], {})
         for n in ranks:
             shared = self.run_on(n, case, f"on{n}", threads=1 + n % 2)
             for key in ("state_hash", "steps", "particles", "contacts", "wall_contacts", "ledger"):
                 self.assertEqual(shared[key], alone[key], (n, key))
             self.assertEqual(shared["ranks"], n)
+            self.assert_shared(shared, n)
             self.same_files("alone", f"on{n}")
 
     def test_spheres_have_the_same_bits_and_files_on_any_number(self):

@@ -53,6 +53,7 @@ void fill_summary(const RunLoop& run, Summary& s) {
   s.contacts = static_cast<std::uint64_t>(sim.tally().contacts);
   s.wall_contacts = static_cast<std::uint64_t>(sim.tally().wall_contacts);
   s.ranks = sim.ranks().count();
+  s.sharing = sim.sharing();
   s.threads = sim.threads();
   s.ledger = ledger_of(run.outputs);
   s.state_hash = sim.state_hash();

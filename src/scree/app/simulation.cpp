@@ -37,6 +37,7 @@ void Simulation::step() {
 
 // The table of contents of the program: what happens in a step, in order.
 void Simulation::advance() {
+  const EffortMeter meter(effort_, ranks_);
   move_walls(clock_.now());
   exchange_particles();
   refresh_neighbours();

@@ -14,6 +14,7 @@
 #include "scree/app/wall_motion.h"
 #include "scree/base/stopwatch.h"
 #include "scree/input/case.h"
+#include "scree/mpi/effort.h"
 #include "scree/mpi/ranks.h"
 #include "scree/output/archive.h"
 #include "scree/particles/hard/step.h"
@@ -31,7 +32,7 @@ struct Clock {
 };
 
 /// What the root asks of the other ranks.
-enum class Call : std::int64_t { step, gather, dismiss };
+enum class Call : std::int64_t { step, gather, report, dismiss };
 
 /// What has been counted since the start.
 struct Tally {
@@ -80,6 +81,8 @@ class Simulation {
   /// Particles on all ranks.
   std::int64_t particles() const;
   const Ranks& ranks() const { return ranks_; }
+  /// The root: how the ranks have shared the steps, by name (docs/files.md); empty for one process.
+  std::vector<std::pair<std::string, double>> sharing() const;
   const Fields& fields() const { return fields_; }
   const Exchange& exchange() const { return exchange_; }
   /// The impact that the stickiness number is about; empty without linear cohesion.
@@ -95,6 +98,7 @@ class Simulation {
   void call(Call what) const;
   void advance();
   void gather();
+  std::vector<Bytes> report() const;
   void settle();
   void together(const std::function<void()>& look) const;
   void move_walls(double time);
@@ -121,6 +125,7 @@ class Simulation {
   Team team_;
   Ranks ranks_;
   std::int64_t count_ = 0;  // particles on all ranks, where there are several
+  Effort effort_;           // of this rank, in all steps
   Fields fields_;
   ParticleSystem system_;
   std::vector<PrescribedGroup> prescribed_;

@@ -1,4 +1,5 @@
 // A simulation on several ranks: the root conducts, the others follow.
+#include <algorithm>
 #include <cstring>
 
 #include "scree/app/simulation.h"
@@ -10,6 +11,12 @@ namespace {
 
 /// The physics has gone wrong on another rank, or this one has told the root.
 struct WrongElsewhere {};
+
+/// What a rank has had to do.
+struct ShareOfRank {
+  Effort effort;
+  double particles = 0;
+};
 
 Bytes bytes_of(const std::string& text) {
   Bytes out(text.size());
@@ -32,6 +39,9 @@ std::int64_t Simulation::follow() {
           break;
         case Call::gather:
           gather();
+          break;
+        case Call::report:
+          report();
           break;
         case Call::dismiss:
           return ranks_.of_root(0);
@@ -78,6 +88,36 @@ void Simulation::settle() {
 
 std::int64_t Simulation::particles() const {
   return ranks_.alone() ? static_cast<std::int64_t>(system_.particles.size()) : count_;
+}
+
+std::vector<Bytes> Simulation::report() const {
+  const ShareOfRank share{effort_, static_cast<double>(system_.particles.size())};
+  Bytes bytes(sizeof share);
+  std::memcpy(bytes.data(), &share, sizeof share);
+  return ranks_.gather(bytes);
+}
+
+std::vector<std::pair<std::string, double>> Simulation::sharing() const {
+  if (ranks_.alone() || effort_.stretches == 0) return {};
+  call(Call::report);
+  double messages = 0, bytes = 0, busy = 0, waiting = 0, busiest = 0, most_particles = 0;
+  for (const Bytes& said : report()) {
+    ShareOfRank share;
+    std::memcpy(&share, said.data(), sizeof share);
+    messages += static_cast<double>(share.effort.traffic.messages);
+    bytes += static_cast<double>(share.effort.traffic.bytes);
+    waiting += share.effort.traffic.waiting;
+    busy += share.effort.busy();
+    busiest = std::max(busiest, share.effort.busy());
+    most_particles = std::max(most_particles, share.particles);
+  }
+  const double ranks = ranks_.count(), rank_steps = ranks * static_cast<double>(effort_.stretches);
+  return {{"messages", messages / rank_steps},
+          {"bytes", bytes / rank_steps},
+          {"busy", busy / ranks},
+          {"waiting", waiting / ranks},
+          {"imbalance", busiest * ranks / busy - 1},
+          {"most_particles", most_particles}};
 }
 
 void Simulation::gather() {

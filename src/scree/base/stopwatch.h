@@ -9,9 +9,10 @@ namespace scree {
 
 using StageSeconds = std::map<std::string, double>;
 
-/// Adds the time from its birth to its death to one stage.
+/// Adds the time from its birth to its death to a number of seconds, or to those of one stage.
 class Stopwatch {
  public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
   Stopwatch(StageSeconds& stages, const char* stage) : seconds_(stages[stage]) {}
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;

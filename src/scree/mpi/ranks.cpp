@@ -11,6 +11,8 @@
 #include <mpi.h>
 #endif
 
+#include "scree/base/stopwatch.h"
+
 namespace scree {
 namespace {
 
@@ -65,7 +67,9 @@ void in_pieces(std::size_t size, std::vector<MPI_Request>& requests, Begin&& beg
   }
 }
 
-void begin_sending(const Message& m, Tag tag, std::vector<MPI_Request>& requests) {
+void begin_sending(const Message& m, Tag tag, std::vector<MPI_Request>& requests, Traffic& traffic) {
+  ++traffic.messages;
+  traffic.bytes += static_cast<std::int64_t>(m.bytes.size());
   in_pieces(m.bytes.size(), requests, [&](std::size_t from, int count, MPI_Request* request) {
     MPI_Isend(m.bytes.data() + from, count, MPI_BYTE, m.rank, tag, MPI_COMM_WORLD, request);
   });
@@ -90,32 +94,43 @@ bool launched() {
 }  // namespace
 
 double Ranks::largest(double mine) const {
-  if (!alone()) MPI_Allreduce(MPI_IN_PLACE, &mine, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  if (alone()) return mine;
+  const Stopwatch watch(traffic_->waiting);
+  MPI_Allreduce(MPI_IN_PLACE, &mine, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
   return mine;
 }
 
 std::int64_t Ranks::total(std::int64_t mine) const {
-  if (!alone()) MPI_Allreduce(MPI_IN_PLACE, &mine, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+  if (alone()) return mine;
+  const Stopwatch watch(traffic_->waiting);
+  MPI_Allreduce(MPI_IN_PLACE, &mine, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
   return mine;
 }
 
 void Ranks::add_up(std::vector<std::int64_t>& mine) const {
-  if (!alone())
-    MPI_Allreduce(MPI_IN_PLACE, mine.data(), static_cast<int>(mine.size()), MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+  if (alone()) return;
+  const Stopwatch watch(traffic_->waiting);
+
+  MPI_Allreduce(MPI_IN_PLACE, mine.data(), static_cast<int>(mine.size()), MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
 }
 
 void Ranks::find_largest(std::vector<double>& mine) const {
-  if (!alone())
-    MPI_Allreduce(MPI_IN_PLACE, mine.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  if (alone()) return;
+  const Stopwatch watch(traffic_->waiting);
+
+  MPI_Allreduce(MPI_IN_PLACE, mine.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
 }
 
 std::int64_t Ranks::of_root(std::int64_t mine) const {
-  if (!alone()) MPI_Bcast(&mine, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+  if (alone()) return mine;
+  const Stopwatch watch(traffic_->waiting);
+  MPI_Bcast(&mine, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
   return mine;
 }
 
 std::vector<Bytes> Ranks::gather(const Bytes& mine) const {
   if (alone()) return {mine};
+  const Stopwatch watch(traffic_->waiting);
   std::vector<std::int64_t> sizes(count_, 0);
   const std::int64_t size = static_cast<std::int64_t>(mine.size());
   MPI_Gather(&size, 1, MPI_INT64_T, sizes.data(), 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
@@ -125,7 +140,7 @@ std::vector<Bytes> Ranks::gather(const Bytes& mine) const {
     for (int r = 1; r < count_; ++r) all.push_back({r, Bytes(static_cast<std::size_t>(sizes[r]))});
   for (Message& m : all) begin_receiving(m, delivered, requests);
   const Message own{0, root() ? Bytes() : mine};
-  begin_sending(own, delivered, requests);
+  begin_sending(own, delivered, requests, *traffic_);
   wait_for(requests);
   std::vector<Bytes> out;
   if (root()) out.push_back(mine);
@@ -135,6 +150,7 @@ std::vector<Bytes> Ranks::gather(const Bytes& mine) const {
 
 std::vector<Message> Ranks::deliver(const std::vector<Message>& outgoing) const {
   if (alone()) return outgoing;
+  const Stopwatch watch(traffic_->waiting);
   std::vector<std::int64_t> to(count_, -1), from(count_, -1);
   for (const Message& m : outgoing) to[m.rank] = static_cast<std::int64_t>(m.bytes.size());
   MPI_Alltoall(to.data(), 1, MPI_INT64_T, from.data(), 1, MPI_INT64_T, MPI_COMM_WORLD);
@@ -143,16 +159,17 @@ std::vector<Message> Ranks::deliver(const std::vector<Message>& outgoing) const 
     if (from[r] >= 0) incoming.push_back({r, Bytes(static_cast<std::size_t>(from[r]))});
   std::vector<MPI_Request> requests;
   for (Message& m : incoming) begin_receiving(m, delivered, requests);
-  for (const Message& m : outgoing) begin_sending(m, delivered, requests);
+  for (const Message& m : outgoing) begin_sending(m, delivered, requests, *traffic_);
   wait_for(requests);
   return incoming;
 }
 
 void Ranks::swap(const std::vector<Message>& outgoing, std::vector<Message>& incoming) const {
   if (alone()) return;
+  const Stopwatch watch(traffic_->waiting);
   std::vector<MPI_Request> requests;
   for (Message& m : incoming) begin_receiving(m, swapped, requests);
-  for (const Message& m : outgoing) begin_sending(m, swapped, requests);
+  for (const Message& m : outgoing) begin_sending(m, swapped, requests, *traffic_);
   wait_for(requests);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,13 @@ struct Message {
   Bytes bytes;
 };
 
+/// What a rank has had to do with the others since the run began.
+struct Traffic {
+  std::int64_t messages = 0;  // sent to one partner each
+  std::int64_t bytes = 0;     // in these
+  double waiting = 0;         // for messages, and for all to agree [s]
+};
+
 /// The processes of a run. Every member is to be called by all of them, in the same order; a process alone agrees with
 /// itself at no cost, with MPI or without.
 class Ranks {
@@ -29,6 +37,7 @@ class Ranks {
   int count() const { return count_; }
   bool alone() const { return count_ == 1; }
   bool root() const { return rank_ == 0; }
+  Traffic traffic() const { return alone() ? Traffic() : *traffic_; }
 
   /// The largest value of all ranks.
   double largest(double mine) const;
@@ -60,9 +69,10 @@ class Ranks {
 
  private:
   friend class RanksOfRun;
-  Ranks(int rank, int count) : rank_(rank), count_(count) {}
+  Ranks(int rank, int count) : rank_(rank), count_(count), traffic_(std::make_shared<Traffic>()) {}
 
   int rank_ = 0, count_ = 1;
+  std::shared_ptr<Traffic> traffic_;  // of this process, whoever speaks for it; nobody counts where it is alone
 };
 
 /// What a rank may use of its machine.

@@ -46,6 +46,7 @@ std::string summary_text(const Summary& s) {
                {"wall_contacts", s.wall_contacts},
                {"ranks", s.ranks},
                {"threads", s.threads},
+               {"sharing", table(s.sharing)},
                {"ledger", table(s.ledger)},
                {"state_hash", s.state_hash}};
   // A path or a message may hold bytes that are no UTF-8; a summary with a mark in it is better than none.
