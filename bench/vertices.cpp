@@ -122,20 +122,21 @@ void print_geometry(const Shape& s, double depth, int count) {
 
 std::string vector_text(const sc_vec& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 
-/// Two bodies of 1000 kg/m3, lengths in cm, that meet obliquely at 1 m/s; 400 steps per contact of two spheres of as
-/// much volume, whose overlap would be about 0.5 % of their radius.
+/// Two bodies of 1000 kg/m3, lengths in cm, that meet obliquely at 1 m/s; 400 steps in the shortest contact of these
+/// bodies. The overlap of two spheres of as much volume would be about 0.5 % of their radius.
 std::string collision_text(const Shape& s, int number, const std::string& contact) {
   Random random(static_cast<unsigned>(number) + 1);
   const double centimetre = 0.01;
   const double volume = superellipsoid_volume(s.half_axes, s.e1, s.e2) * std::pow(centimetre, 3);
   const double mass = 0.5 * 1000 * volume, radius = std::cbrt(volume / (4 * M_PI / 3));
-  const double stiffness = mass / std::pow(0.005 * radius, 2), time = M_PI * std::sqrt(mass / stiffness);
+  const double stiffness = mass / std::pow(0.005 * radius, 2);
   std::uniform_real_distribution<double> draw(-0.25, 0.25);
   std::string text = fmt::format(
-      "[simulation]\nend = 10\ntime_step = {}\nmax_overlap = 0.9\n[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\n"
+      "[simulation]\nend = 10\nsteps_per_contact = 400\ntop_speed = 1\nmax_overlap = 0.9\n[domain]\nmin = [-1, -1, "
+      "-1]\nmax = [1, 1, 1]\n"
       "[contact]\ntangential = \"none\"\n{}[[materials]]\nname = \"m\"\ndensity = 1000\nstiffness = {}\n"
       "restitution = 1\n",
-      time / 400, contact, stiffness);
+      contact, stiffness);
   const sc_vec half_axes = sc_scale(centimetre, sc_make_vec(s.half_axes[0], s.half_axes[1], s.half_axes[2]));
   const Form form = make_form(s.half_axes, s.e1, s.e2);
   for (const double side : {-1.0, 1.0}) {

@@ -74,7 +74,7 @@ TEST(Rest, TheLongestStepIsWhereTheQuickestModeStopsToDie) {
     Encounter e;
     e.law.stiffness = 500;
     e.law.damping = zeta;
-    e.mass = 1e-4;
+    e.mass = e.least_mass = 1e-4;
     sc_laws laws{};
     laws.normal = SC_NORMAL_LINEAR;
     const double x = longest_damped_step(e, laws) * std::sqrt(500 / 1e-4);

@@ -85,18 +85,36 @@ double prescribed_speed(const ParticleKeys& keys, const ParticleGroup& group, do
   return fastest;
 }
 
+/// The forms of a group that are no spheres, each once.
+std::vector<Form> shapes_of(const ParticleGroup& group) {
+  std::vector<Form> out;
+  const auto add = [&](const Form& form) {
+    const auto same = [&](const Form& f) { return f.half_axes() == form.half_axes() && f.exponents == form.exponents; };
+    if (!form.shape.is_sphere && std::none_of(out.begin(), out.end(), same)) out.push_back(form);
+  };
+  add(group.shape);
+  for (const GivenParticle& given : group.given)
+    if (given.shape) add(*given.shape);
+  return out;
+}
+
 /// A body that tumbles about its middle axis has a tip with speed v sqrt(1 + R^2 m / I) at most,
 /// where v is the speed of all its energy.
-void take_shape(BodyKind& kind, const ParticleKeys& keys) {
-  kind.thickness = kind.smallest;
-  if (keys.shape == "sphere" || keys.insert == "checkpoint") return;
-  const Form form = make_form(keys.half_axes, keys.exponents[0], keys.exponents[1]);
-  const Axes axes = form.half_axes();
-  Axes inertia = form.inertia;
-  std::sort(inertia.begin(), inertia.end());
-  kind.thickness *= *std::min_element(axes.begin(), axes.end()) / form.equivalent_radius;
-  kind.inscribed = form.shape.inscribed / form.equivalent_radius;
-  kind.tip = std::sqrt(1 + 1 / inertia[1]);
+void take_shapes(BodyKind& kind, const ParticleGroup& group) {
+  const std::vector<Form> forms = shapes_of(group);
+  double thickness = 1;  // over the diameter by volume
+  for (const Form& form : forms) {
+    const Axes axes = form.half_axes();
+    Axes inertia = form.inertia;
+    std::sort(inertia.begin(), inertia.end());
+    thickness = std::min(thickness, *std::min_element(axes.begin(), axes.end()) / form.equivalent_radius);
+    kind.inscribed = std::min(kind.inscribed, form.shape.inscribed / form.equivalent_radius);
+    kind.tip = std::max(kind.tip, std::sqrt(1 + 1 / inertia[1]));
+    const std::vector<ContactPlace> places = quickest_places(form);
+    kind.places.insert(kind.places.end(), places.begin(), places.end());
+  }
+  kind.places = quickest_of(std::move(kind.places));
+  kind.thickness = kind.smallest * thickness;
 }
 
 }  // namespace
@@ -138,7 +156,7 @@ std::vector<BodyKind> body_kinds(const Case& c, const Particles* present) {
       take_sizes(kind, groups[g], g, c.simulation.seed);
     else
       take_expected(kind, groups[g], *feed, c);
-    take_shape(kind, c.particles[g]);
+    take_shapes(kind, groups[g]);
     take_velocities(kind, groups[g]);
     if (c.particles[g].motion == "prescribed")
       kind.spread = std::max(kind.spread, prescribed_speed(c.particles[g], groups[g], c.simulation.end));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scree/app/contact_places.h"
 #include "scree/data/materials.h"
 #include "scree/data/particles.h"
 #include "scree/input/case.h"
@@ -19,15 +20,16 @@ struct BodyKind {
   int material = 0;
   bool free = true;
   std::uint64_t count = 0;
-  double density = 0;                // [kg/m3]
-  double smallest = 0, largest = 0;  // diameters that the case can create [m]
-  double thickness = 0;              // least, of the smallest body [m]
-  double inscribed = 1;              // diameter of a sphere inside a body over that by volume
-  double tip = 1;                    // how much faster than its centre a point of a tumbling body gets; 1: sphere
-  double volume = 0;                 // of all of them [m3]
-  double effect_gap = 0;             // effect diameter minus body diameter [m]
-  Vec3 velocity{};                   // mean at the start [m/s]
-  double spread = 0;                 // how far velocities at the start are from the mean [m/s]
+  double density = 0;                    // [kg/m3]
+  double smallest = 0, largest = 0;      // diameters that the case can create [m]
+  double thickness = 0;                  // least, of the smallest body [m]
+  double inscribed = 1;                  // diameter of a sphere inside a body over that by volume
+  double tip = 1;                        // how much faster than its centre a point of a tumbling body gets; 1: sphere
+  std::vector<ContactPlace> places{{}};  // of its surface where impacts are shortest
+  double volume = 0;                     // of all of them [m3]
+  double effect_gap = 0;                 // effect diameter minus body diameter [m]
+  Vec3 velocity{};                       // mean at the start [m/s]
+  double spread = 0;                     // how far velocities at the start are from the mean [m/s]
 
   /// Diameter of a particle of the mean volume [m].
   double typical() const;

@@ -49,12 +49,18 @@ void derive_hard_step(const Case& c, const std::vector<BodyKind>& kinds, Derived
   out.tip_travel = out.time_step * out.top_speed / thinnest;
 }
 
+/// Words about a place of shapes where less than the reduced mass answers; none for spheres.
+std::string beside_the_centre(const Encounter& e, const sc_laws& laws) {
+  const double share = (laws.normal == SC_NORMAL_HERTZ ? e.quickest.mass : e.least_mass) / e.mass;
+  return share < 0.99 ? fmt::format(", beside the centre, where {:.2g} of the mass answers", share) : "";
+}
+
 void derive_soft_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds, DerivedStep& out) {
   for (const Encounter& e : encounters(c, materials, kinds)) {
     const double time = contact_time(e, c.contact.laws, out.top_speed);
     if (time < out.contact_time) {
       out.contact_time = time;
-      out.shortest = e.what;
+      out.shortest = e.what + beside_the_centre(e, c.contact.laws);
     }
     const double damped = longest_damped_step(e, c.contact.laws);
     if (damped < out.damped_step) {

@@ -24,6 +24,7 @@ struct Body {
 
   double inscribed_radius() const { return 0.5 * diameter * kind->inscribed; }
   double inverse_mass() const { return kind->free ? 1 / (kind->density * sphere_volume(diameter)) : 0.0; }
+  HitBody hit() const { return {&kind->places, inverse_mass(), 0.5 * diameter}; }
 };
 
 std::vector<Body> extremes(const BodyKind& kind) {
@@ -40,6 +41,9 @@ Encounter meeting(const Materials& materials, const Body& a, const Body& b) {
   e.restitution = materials.restitution[materials.index(a.kind->material, b.kind->material)];
   e.mass = 1 / (a.inverse_mass() + b.inverse_mass());
   e.radius = 0.5 / (1 / a.diameter + 1 / b.diameter);
+  const HitBody first = a.hit(), second = b.hit();
+  e.least_mass = least_mass(first, &second);
+  e.quickest = quickest_hertz(first, &second);
   e.smaller_radius = std::min(a.inscribed_radius(), b.inscribed_radius());
   e.reach = 0.5 * (a.kind->effect_gap + b.kind->effect_gap);
   return e;
@@ -53,6 +57,8 @@ Encounter meeting(const Materials& materials, const Body& a, const std::string& 
   e.restitution = materials.restitution[materials.index(a.kind->material, wall_material)];
   e.mass = 1 / a.inverse_mass();
   e.radius = 0.5 * a.diameter;
+  e.least_mass = least_mass(a.hit(), nullptr);
+  e.quickest = quickest_hertz(a.hit(), nullptr);
   e.smaller_radius = a.inscribed_radius();
   e.reach = 0.5 * a.kind->effect_gap;
   return e;
@@ -92,14 +98,15 @@ Encounter typical_encounter(const Case& c, const Materials& materials, const std
 
 double contact_time(const Encounter& e, const sc_laws& laws, double speed) {
   const double adhesion = e.law.adhesion;
+  const auto& [mass, curved] = e.quickest;
   if (laws.cohesion == SC_COHESION_JKR && adhesion > 0) {
-    const double radius = sc_cbrt(9 * pi * adhesion * e.radius * e.radius / (2 * e.law.young));
-    const double bond = pi * std::sqrt(e.mass / (1.2 * e.law.young * radius));
-    return speed > 0 ? std::min(bond, sc_hertz_contact_time(e.mass, speed, e.law.young, e.radius)) : bond;
+    const double radius = sc_cbrt(9 * pi * adhesion * curved * curved / (2 * e.law.young));
+    const double bond = pi * std::sqrt(mass / (1.2 * e.law.young * radius));
+    return speed > 0 ? std::min(bond, sc_hertz_contact_time(mass, speed, e.law.young, curved)) : bond;
   }
   if (laws.normal == SC_NORMAL_HERTZ)
-    return speed > 0 ? sc_hertz_contact_time(e.mass, speed, e.law.young, e.radius) : infinity;
-  return sc_linear_contact_time(e.mass, e.law.stiffness, e.law.damping);
+    return speed > 0 ? sc_hertz_contact_time(mass, speed, e.law.young, curved) : infinity;
+  return sc_linear_contact_time(e.least_mass, e.law.stiffness, e.law.damping);
 }
 
 double longest_damped_step(const Encounter& e, const sc_laws& laws) {
@@ -107,7 +114,7 @@ double longest_damped_step(const Encounter& e, const sc_laws& laws) {
   const double zeta = e.law.damping;
   if (zeta <= 0) return infinity;
   // The root of x^2 + 8 zeta x = 1, written without a difference.
-  return std::sqrt(e.mass / e.law.stiffness) / (4 * zeta + std::sqrt(1 + 16 * zeta * zeta));
+  return std::sqrt(e.least_mass / e.law.stiffness) / (4 * zeta + std::sqrt(1 + 16 * zeta * zeta));
 }
 
 double overlap_fraction(const Encounter& e, const sc_laws& laws, double speed) {

@@ -18,7 +18,9 @@ struct Encounter {
   sc_pair_law law{};
   double restitution = 1;
   double mass = 0;            // reduced mass [kg]
-  double radius = 0;          // effective radius R* [m]
+  double radius = 0;          // effective radius R*, of shapes that of spheres of their volume [m]
+  double least_mass = 0;      // that answers anywhere on their surfaces [kg]; of spheres the reduced mass
+  ContactAt quickest;         // where an impact by Hertz's law is shortest; of spheres the above
   double smaller_radius = 0;  // of shapes that of the sphere inside [m]
   double reach = 0;           // how far apart the bodies are when linear cohesion begins [m]
 };
@@ -31,9 +33,11 @@ std::vector<Encounter> encounters(const Case& c, const Materials& materials, con
 /// takes part if that one has a single particle, a wall if there is no other. `what` is empty if nothing can meet.
 Encounter typical_encounter(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds);
 
-/// How long the bodies touch when they meet with `speed` [s]. Linear laws: half a damped period, whatever the speed.
-/// Hertz: 2.94 delta_max / v. With adhesion at most half the period of the bond, whose stiffness is 6/5 E* a_0 at the
-/// contact radius a_0 = (9 pi W R*^2 / (2 E*))^(1/3) of no force. Infinite for Hertz at no speed.
+/// How long the bodies touch when they meet with `speed` [s], at the place where that is shortest: a shape that is hit
+/// beside its centre gives way by turning, and on a flat face Hertz's contact is stiff. Linear laws: half a damped
+/// period, whatever the speed. Hertz: 2.94 delta_max / v. With adhesion at most half the period of the bond, whose
+/// stiffness is 6/5 E* a_0 at the contact radius a_0 = (9 pi W R*^2 / (2 E*))^(1/3) of no force. Infinite for Hertz at
+/// no speed.
 double contact_time(const Encounter& e, const sc_laws& laws, double speed);
 
 /// The longest time step with which the dashpot of such contacts brings a packing to rest [s]; infinite where it is no
