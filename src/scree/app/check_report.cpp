@@ -10,6 +10,7 @@
 #include "scree/app/build_walls.h"
 #include "scree/app/derived.h"
 #include "scree/app/formula_check.h"
+#include "scree/app/idle_keys.h"
 #include "scree/app/outside.h"
 #include "scree/app/wall_jumps.h"
 #include "scree/base/memory.h"
@@ -176,6 +177,14 @@ void say_lift(const Case& c, const Derived& d, Lines& lines) {
                      "set flow.buoyancy = true, unless gravity.acceleration is already reduced by it"});
 }
 
+/// What describes the other model of collisions.
+void say_idle(const Case& c, Lines& lines) {
+  const std::vector<std::string> keys = idle_keys(c);
+  if (keys.empty()) return;
+  lines.push_back({fmt::format("no effect on {} collisions", c.contact.collision),
+                   fmt::format("{}", fmt::join(keys, ", ")), Verdict::none, ""});
+}
+
 /// What the boundaries do to particles and fields.
 void say_boundaries(const Case& c, const Derived& d, Lines& lines) {
   std::string open;
@@ -313,6 +322,7 @@ Lines all_lines(const Case& c, const Derived& d, const std::optional<OutputPlace
   Lines lines;
   say_particles(c, d, lines);
   say_step(c, d.step, lines);
+  say_idle(c, lines);
   say_boundaries(c, d, lines);
   say_meshes(c, lines);
   say_places(c, d, lines);

@@ -114,6 +114,10 @@ Overlap deepest_at_wall(const ParticleSystem& s) {
   const std::string what =
       fmt::format("t = {:.9g} s: an overlap of {:.3g} of the smaller radius exceeds simulation.max_overlap = {:.3g}",
                   time, deepest, limit);
+  if (s.vertices && s.hard)
+    throw PhysicsError(what +
+                       ". Vertices find bodies late that meet between them: set contact.detection = 'certified', or "
+                       "take more vertices or another contact.spacing (docs/vertices.md), or a shorter time step");
   if (s.hard)
     throw PhysicsError(what +
                        ". Hard collisions are found late by up to a step, in which fast or thin bodies go deep into "

@@ -150,7 +150,8 @@ bool Simulation::staggered() const { return !system_.hard && integrator(case_.si
 
 sc_move Simulation::move_now() const {
   sc_move m{};
-  m.scheme = integrator(case_.simulation.integrator);
+  // Hard collisions move bodies in a way of their own, and read the exact drag of the leapfrog only.
+  m.scheme = system_.hard ? SC_LEAPFROG : integrator(case_.simulation.integrator);
   m.drag = fields_.drag;
   const bool starts_leapfrog = staggered() && clock_.step == 0;
   m.kick = starts_leapfrog ? 0.5 * clock_.dt : clock_.dt;

@@ -6,6 +6,7 @@
 
 #include "scree/physics/contact/contact.h"
 #include "scree/physics/impulse/impact.h"
+#include "scree/physics/impulse/roll.h"
 
 namespace scree {
 
@@ -16,6 +17,7 @@ struct Materials {
   std::vector<sc_pair_law> law;       // [materials][materials]
   std::vector<double> restitution;    // [materials][materials]: what the damping ratio was derived from
   std::vector<sc_impact_law> impact;  // [materials][materials]: for hard collisions
+  std::vector<sc_turn_law> turning;   // the same; 0 without such laws
 
   int count() const { return static_cast<int>(names.size()); }
   std::size_t index(int a, int b) const {

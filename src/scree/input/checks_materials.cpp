@@ -152,9 +152,9 @@ std::vector<Property> properties(const Case& c) {
           {"twisting_friction", &MaterialKeys::twisting_friction, &PairKeys::twisting_friction, "twisting",
            laws.twisting != SC_TWISTING_NONE, laws.twisting != SC_TWISTING_NONE},
           {"cohesion_stiffness", &MaterialKeys::cohesion_stiffness, &PairKeys::cohesion_stiffness, "cohesion",
-           laws.cohesion == SC_COHESION_LINEAR, laws.cohesion == SC_COHESION_LINEAR},
+           laws.cohesion == SC_COHESION_LINEAR, laws.cohesion == SC_COHESION_LINEAR && !is_hard(c)},
           {"adhesion", &MaterialKeys::adhesion, &PairKeys::adhesion, "cohesion", laws.cohesion == SC_COHESION_JKR,
-           laws.cohesion == SC_COHESION_JKR}};
+           laws.cohesion == SC_COHESION_JKR && !is_hard(c)}};
 }
 
 void property_and_law(const Check& check, const Property& p) {
@@ -166,9 +166,9 @@ void property_and_law(const Check& check, const Property& p) {
     any = any || positive || !check.sound({path});
     switched = switched || check.origins.overridden(path);
     if (!positive || p.active || check.origins.overridden(law)) return;
-    if (is_hard(c))
+    if (is_hard(c) && p.law_key == std::string_view("cohesion"))
       check.fail("E164", path, fmt::format("'{}' has no effect on hard collisions", p.key),
-                 fmt::format("{} is of contact.collision = 'soft'", law), fmt::format("remove '{}'", p.key));
+                 "an impulse does not hold bodies together", fmt::format("remove '{}'", p.key));
     else
       check.fail("E164", path, fmt::format("'{}' has no effect with the chosen laws of contact", p.key),
                  fmt::format("no law of contact reads it"),
@@ -178,7 +178,7 @@ void property_and_law(const Check& check, const Property& p) {
     look(item_path("materials", i) + "." + p.key, c.materials[i].*p.material > 0);
   for (std::size_t i = 0; i < c.pairs.size(); ++i)
     look(item_path("pairs", i) + "." + p.key, (c.pairs[i].*p.pair).value_or(0) > 0);
-  if (p.required && !any && !switched && !is_hard(c))
+  if (p.required && !any && !switched)
     check.fail("E163", law, fmt::format("{} needs a material with '{}' above 0", law, p.key), "acts on nothing",
                fmt::format("add '{}' to a material or a pair   (scree explain materials.{})", p.key, p.key));
 }

@@ -6,9 +6,6 @@ namespace scree {
 void check_vertices(const Check& check) {
   const Case& c = check.c;
   if (!check.sound({"contact.detection", "contact.collision", "particles"}) || !by_vertices(c)) return;
-  if (is_hard(c))
-    return check.fail("E164", "contact.detection", "hard collisions have no use for vertices",
-                      "they know contacts by 'certified' only", "set detection = 'certified', or collision = 'soft'");
   if (check.sound({"contact.cohesion"}) && c.contact.laws.cohesion != SC_COHESION_NONE)
     check.fail("E164", "contact.detection", "vertices tell nothing of bodies that are apart, where cohesion acts",
                "needs contact.cohesion = 'none'", "set detection = 'certified', or cohesion = 'none'");

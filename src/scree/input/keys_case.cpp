@@ -55,7 +55,7 @@ const Section& simulation_section() {
            .defaults_to("estimated from the initial velocities, the flow and the fall height"),
        key("integrator", &S::integrator,
            "leapfrog: kick and drift with drag integrated exactly, second order; explicit, implicit: Euler's velocity "
-           "with trapezoidal position, first order, for comparison")
+           "with trapezoidal position, first order, for comparison. Of soft collisions; hard ones have their own")
            .one_of({"leapfrog", "explicit", "implicit"}),
        key("seed", &S::seed, "seed of every random draw; the same seed gives the same particles on any machine"),
        key("max_overlap", &S::max_overlap,

@@ -8,7 +8,7 @@ const Section& hard_section() {
   static const Section section = {
       "hard",
       "[hard]",
-      "How collisions are solved with contact.collision = 'hard'; read by nothing else.",
+      "How collisions are solved with contact.collision = 'hard'; soft ones do not read it.",
       {key("order", &S::order,
            "coloured: all contacts of a step together, with friction, and resting contacts apart from collisions; "
            "sequential: each pair, then each wall, once, without friction, for comparison")

@@ -111,15 +111,18 @@ const Section& contact_section() {
       "[contact]",
       "The laws of contact, chosen independently of each other.",
       {key("collision", &S::collision,
-           "soft: springs and dashpots, the laws below; hard: impulses with restitution and friction, "
-           "which read [[materials]] and [[pairs]] only ([hard] says how they are solved)")
+           "soft: springs and dashpots, the laws below; hard: impulses with restitution and friction, and with the "
+           "limits of rolling and twisting where these laws are chosen ([hard] says how they are solved). This one key "
+           "switches between both: what only the other model reads may stand in the case and has no effect "
+           "(scree check names it); cohesion alone is of soft collisions only")
            .one_of({"soft", "hard"}),
        key("detection", &S::detection,
            "how contacts of particles that are no spheres are found. certified: where the bodies touch when they grow "
            "or "
            "shrink, with a proof; vertices: by vertices of each surface that lie in the other body or behind a flat "
            "wall, "
-           "which misses contacts and does not keep the energy of elastic ones, for comparison (docs/vertices.md)")
+           "which misses contacts and does not keep the energy of elastic ones, for comparison (docs/vertices.md); "
+           "hard collisions take one point of a contact from them, also where bodies lie flat")
            .one_of({"certified", "vertices"}),
        key("vertices", &S::vertices, "N of the N x N vertices on each surface")
            .between(4, 100)
@@ -145,13 +148,17 @@ const Section& contact_section() {
            .one_of({"none", "sliding", "step_spring", "collision_spring", "collision_spring_damped", "history",
                     "mindlin", "mindlin_stretch"})
            .defaults_to("history; mindlin with normal = 'hertz'"),
-       law("rolling", &sc_laws::rolling, "spring: spring, dashpot and slider that resist rolling")
+       law("rolling", &sc_laws::rolling,
+           "spring: spring, dashpot and slider that resist rolling; with hard collisions the slider alone, an angular "
+           "impulse that stops rolling up to the same limit")
            .one_of({"none", "spring"}),
-       law("twisting", &sc_laws::twisting, "spring: spring, dashpot and slider that resist turning about the normal")
+       law("twisting", &sc_laws::twisting,
+           "spring: spring, dashpot and slider that resist turning about the normal; with hard collisions likewise")
            .one_of({"none", "spring"}),
        law("cohesion", &sc_laws::cohesion,
            "linear: attraction that grows with the overlap of the effect surfaces; jkr: Johnson, Kendall and Roberts, "
-           "in place of Hertz's spring")
+           "in place of Hertz's spring. With soft collisions only: an impulse takes no time in which it could hold "
+           "bodies together")
            .one_of({"none", "linear", "jkr"}),
        key("tangential_stiffness_ratio", &S::tangential_stiffness_ratio,
            "tangential over normal stiffness; 2/7 lets both oscillations of a sphere take the same time")

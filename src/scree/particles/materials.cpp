@@ -83,6 +83,14 @@ Frictions frictions_of(const MaterialProperties& a, const MaterialProperties& b,
           own.friction_sliding.value_or(own.friction.value_or(mixed_sliding))};
 }
 
+double rolling_friction_of(const MaterialProperties& a, const MaterialProperties& b, const PairProperties& own) {
+  return own.rolling_friction.value_or(geometric_mean(a.rolling_friction, b.rolling_friction));
+}
+
+double twisting_friction_of(const MaterialProperties& a, const MaterialProperties& b, const PairProperties& own) {
+  return own.twisting_friction.value_or(geometric_mean(a.twisting_friction, b.twisting_friction));
+}
+
 sc_pair_law mix(const MaterialProperties& a, const MaterialProperties& b, const PairProperties& own, double restitution,
                 const ContactSettings& settings) {
   sc_pair_law law{};
@@ -95,10 +103,10 @@ sc_pair_law mix(const MaterialProperties& a, const MaterialProperties& b, const 
   law.friction_sliding = friction.sliding;
   law.rolling_stiffness = settings.rolling_stiffness_ratio;
   law.rolling_damping = settings.rolling_damping;
-  law.rolling_friction = own.rolling_friction.value_or(geometric_mean(a.rolling_friction, b.rolling_friction));
+  law.rolling_friction = rolling_friction_of(a, b, own);
   law.twisting_stiffness = settings.twisting_stiffness_ratio;
   law.twisting_damping = settings.twisting_damping;
-  law.twisting_friction = own.twisting_friction.value_or(geometric_mean(a.twisting_friction, b.twisting_friction));
+  law.twisting_friction = twisting_friction_of(a, b, own);
   law.cohesion_stiffness = own.cohesion_stiffness.value_or(geometric_mean(a.cohesion_stiffness, b.cohesion_stiffness));
   law.adhesion = own.adhesion.value_or(geometric_mean(a.adhesion, b.adhesion));
   return law;
@@ -115,6 +123,12 @@ sc_impact_law impact_of(const MaterialProperties& a, const MaterialProperties& b
   return law;
 }
 
+sc_turn_law turning_of(const MaterialProperties& a, const MaterialProperties& b, const PairProperties& own,
+                       const sc_laws& laws) {
+  return {laws.rolling == SC_ROLLING_NONE ? 0 : rolling_friction_of(a, b, own),
+          laws.twisting == SC_TWISTING_NONE ? 0 : twisting_friction_of(a, b, own)};
+}
+
 }  // namespace
 
 Materials make_materials(const std::vector<MaterialProperties>& materials, const std::vector<PairProperties>& pairs,
@@ -128,6 +142,7 @@ Materials make_materials(const std::vector<MaterialProperties>& materials, const
   out.law.resize(out.names.size() * out.names.size());
   out.restitution.resize(out.law.size());
   out.impact.resize(out.law.size());
+  out.turning.resize(out.law.size());
   for (int a = 0; a < n; ++a)
     for (int b = a; b < n; ++b) {
       const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const PairProperties& p) {
@@ -135,11 +150,13 @@ Materials make_materials(const std::vector<MaterialProperties>& materials, const
       });
       const PairProperties own = found == pairs.end() ? PairProperties{} : *found;
       const sc_impact_law impact = impact_of(materials[a], materials[b], own);
+      const sc_turn_law turning = turning_of(materials[a], materials[b], own, settings.laws);
       const sc_pair_law law = mix(materials[a], materials[b], own, impact.restitution, settings);
       for (const std::size_t place : {out.index(a, b), out.index(b, a)}) {
         out.law[place] = law;
         out.restitution[place] = impact.restitution;
         out.impact[place] = impact;
+        out.turning[place] = turning;
       }
     }
   return out;

@@ -27,6 +27,27 @@ void go_round(HardBody& a, HardBody& b, BearingPoint* points, std::uint32_t coun
   }
 }
 
+/// The couple of a contact that its points load.
+void turn_round(HardBody& a, HardBody& b, BearingTurn& t, const BearingPoint* points, std::uint32_t count) {
+  double load = 0;
+  for (std::uint32_t k = 0; k < count; ++k) load += sc_dot(points[k].hold.push, points[k].held);
+  const sc_vec seen = sc_sub(sc_sub(a.spin, b.spin), t.offset);
+  const sc_vec next = sc_turn_on(t.hold, t.couple, seen, load), change = sc_sub(next, t.couple);
+  a.spin = sc_add(a.spin, sc_turn(a.inverse_inertia, change));
+  b.spin = sc_sub(b.spin, sc_turn(b.inverse_inertia, change));
+  t.couple = next;
+}
+
+/// What a visit changed: the square of the largest speed [m2/s2], and the change times the response times it [J].
+struct Change {
+  double most = 0, all = 0;
+
+  void add(sc_vec change, sc_vec answer, double lever) {
+    most = std::max(most, lever * lever * sc_dot(answer, answer));
+    all += sc_dot(change, answer);
+  }
+};
+
 }  // namespace
 
 double visit(HardContacts& h, Bearings& bearings, std::size_t k) {
@@ -34,18 +55,27 @@ double visit(HardContacts& h, Bearings& bearings, std::size_t k) {
   BearingPoint* points = &bearings.points[c.first];
   HardBody a = h.bodies[c.a], b = c.b == HardContact::wall ? HardBody{} : h.bodies[c.b];
   for (std::uint32_t p = 0; p < c.count; ++p) points[p].before = points[p].held;
-  for (std::uint32_t round = 0; round < (c.count > 1 ? c.count + 1 : 1); ++round) go_round(a, b, points, c.count);
-  double most = 0, all = 0;
-  for (std::uint32_t p = 0; p < c.count; ++p) {
-    const sc_vec change = sc_sub(points[p].held, points[p].before), speed = sc_turn(points[p].hold.response, change);
-    most = std::max(most, sc_dot(speed, speed));
-    all += sc_dot(change, speed);
+  BearingTurn* turn = bearings.turns.empty() || bearings.turns[k].radius == 0 ? nullptr : &bearings.turns[k];
+  if (turn) turn->before = turn->couple;
+  const std::uint32_t parts = c.count + (turn && c.count ? 1 : 0);
+  for (std::uint32_t round = 0; round < (parts > 1 ? parts + 1 : 1); ++round) {
+    go_round(a, b, points, c.count);
+    if (turn) turn_round(a, b, *turn, points, c.count);
   }
-  bearings.change[k] = all;
+  Change all;
+  for (std::uint32_t p = 0; p < c.count; ++p) {
+    const sc_vec change = sc_sub(points[p].held, points[p].before);
+    all.add(change, sc_turn(points[p].hold.response, change), 1);
+  }
+  if (turn) {
+    const sc_vec change = sc_sub(turn->couple, turn->before);
+    all.add(change, sc_turn(turn->hold.response, change), turn->radius);
+  }
+  bearings.change[k] = all.all;
   // Bodies that nothing moves may be read by another thread.
   if (a.inverse_mass > 0) h.bodies[c.a] = a;
   if (b.inverse_mass > 0) h.bodies[c.b] = b;
-  return most;
+  return all.most;
 }
 
 }  // namespace scree

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scree/particles/hard/contacts.h"
-#include "scree/physics/impulse/hold.h"
+#include "scree/physics/impulse/roll.h"
 
 namespace scree {
 
@@ -25,11 +25,22 @@ struct Bearing {
   std::uint32_t first = 0, count = 0;
 };
 
+/// What resists turning in a contact.
+struct BearingTurn {
+  sc_turn_hold hold{};
+  double radius = 0;  // [m]; 0: nothing does
+  sc_vec offset{};    // spin of the wall [rad/s]
+  sc_vec couple{};    // on A [N m s]
+  sc_vec before{};    // this one before the present visit [N m s]
+  sc_vec course{};    // how it has changed from sweep to sweep [N m s]
+};
+
 /// All of them, in the order of visits.
 struct Bearings {
   std::vector<Bearing> all;
   std::vector<BearingPoint> points;
-  std::vector<double> change;  // of every contact by the last visit: change times K times change [J]
+  std::vector<BearingTurn> turns;  // of every contact, or empty
+  std::vector<double> change;      // of every contact by the last visit: change times K times change [J]
 };
 
 /// Visits a contact once: every point gets the impulse that it needs, again and again, since the points of a contact

@@ -28,11 +28,34 @@ void book_fixed(Particles& p, const HardContacts& h, std::int32_t fixed, sc_vec 
 
 void book_losses(Particles& p, const HardContact& c) {
   const double share = c.at_wall() ? 1 : 0.5;
-  p.loss.row(c.a)[0] += share * c.lost_normal;
-  p.loss.row(c.a)[1] += share * c.lost_sliding;
-  if (c.at_wall()) return;
-  p.loss.row(c.b)[0] += share * c.lost_normal;
-  p.loss.row(c.b)[1] += share * c.lost_sliding;
+  for (const std::int32_t body : {c.a, c.b}) {
+    if (body < 0) continue;
+    double* loss = p.loss.row(body);
+    loss[0] += share * c.lost_normal;
+    loss[1] += share * c.lost_sliding;
+    loss[2] += share * c.lost_rolling;
+  }
+}
+
+/// What `fixed`, of infinite mass, does to its partner by a couple on it.
+void book_fixed_couple(Particles& p, const HardContacts& h, std::int32_t fixed, sc_vec couple) {
+  add(p.angular_impulse.row(fixed), couple);
+  p.work.row(fixed)[2] += sc_dot(couple, h.bodies[fixed].spin);
+}
+
+/// The couple of a contact on A.
+void book_couple(Particles& p, const HardContacts& h, const HardContact& c, sc_vec on_a) {
+  if (!c.resists_turning()) return;
+  if (p.shaped() && h.bodies[c.a].inverse_mass > 0) add(p.angular_momentum.row(c.a), on_a);
+  if (c.at_wall()) {
+    add(p.angular_impulse.row(c.a), on_a);
+    p.work.row(c.a)[3] += sc_dot(on_a, c.wall_spin);
+    return;
+  }
+  const sc_vec on_b = sc_scale(-1, on_a);
+  if (p.shaped() && h.bodies[c.b].inverse_mass > 0) add(p.angular_momentum.row(c.b), on_b);
+  if (h.bodies[c.a].inverse_mass == 0) book_fixed_couple(p, h, c.a, on_b);
+  if (h.bodies[c.b].inverse_mass == 0) book_fixed_couple(p, h, c.b, on_a);
 }
 
 /// Gives shapes their angular momentum.
@@ -50,14 +73,15 @@ void put(double* to, double sign, sc_vec v) {
 
 }  // namespace
 
-void book_contacts(Particles& p, HardContacts& h, sc_vec HardPoint::*impulse, sc_vec HardContact::*sum) {
+void book_contacts(Particles& p, HardContacts& h, HardPhase phase) {
   for (HardContact& c : h.all) {
     book_losses(p, c);
-    c.lost_normal = c.lost_sliding = 0;
-    c.*sum = sc_zero_vec();
+    c.lost_normal = c.lost_sliding = c.lost_rolling = 0;
+    book_couple(p, h, c, c.*phase.couple);
+    c.*phase.sum = sc_zero_vec();
     for (const HardPoint& point : h.points_of(c)) {
-      const sc_vec on_a = point.*impulse;
-      c.*sum = sc_add(c.*sum, on_a);
+      const sc_vec on_a = point.*phase.impulse;
+      c.*phase.sum = sc_add(c.*phase.sum, on_a);
       turn_shapes(p, h, c, point, on_a);
       if (c.at_wall()) {
         book_outside(p, c.a, c.a, point.arm_a, on_a);
@@ -70,14 +94,24 @@ void book_contacts(Particles& p, HardContacts& h, sc_vec HardPoint::*impulse, sc
   }
 }
 
+namespace {
+
+/// The last numbers of both rows.
+void keep_extras(const HardContact& c, double* slide, double* roll) {
+  const bool rolls = c.resists_turning();
+  slide[3] = rolls ? c.rolled[0] : c.approach;
+  roll[3] = rolls && c.points == 1 ? c.rolled[1] : c.twist;
+}
+
+}  // namespace
+
 void remember(ParticleSystem& s, const HardContacts& h) {
   for (const HardContact& c : h.all) {
     const std::size_t at = 4 * std::size_t(c.memory);
     if (c.at_wall()) {
       put(&s.wall_contacts.slide[at], 1, c.held);
       put(&s.wall_contacts.roll[at], 1, c.struck);
-      s.wall_contacts.slide[at + 3] = c.approach;
-      s.wall_contacts.roll[at + 3] = c.twist;
+      keep_extras(c, &s.wall_contacts.slide[at], &s.wall_contacts.roll[at]);
       s.wall_contacts.active[c.memory] = contact_code(true, c.slid);
       if (s.particles.shaped())
         for (std::size_t k = 0; k < 2; ++k)
@@ -87,8 +121,7 @@ void remember(ParticleSystem& s, const HardContacts& h) {
     const double on_owner = s.contacts.pairs.owner[c.memory] == c.a ? 1 : -1;
     put(&s.contacts.slide[at], on_owner, c.held);
     put(&s.contacts.roll[at], on_owner, c.struck);
-    s.contacts.slide[at + 3] = c.approach;
-    s.contacts.roll[at + 3] = c.twist;
+    keep_extras(c, &s.contacts.slide[at], &s.contacts.roll[at]);
     s.contacts.active[c.memory] = contact_code(true, c.slid);
     if (s.particles.shaped())
       std::copy_n(c.lean, 2, &s.contacts.shape[pair_memory * std::size_t(c.memory) + pair_lean]);

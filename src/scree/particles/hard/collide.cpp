@@ -11,6 +11,15 @@ namespace {
 /// Whether a point takes part in collisions: feet only where they touch.
 bool collides(const HardPoint& p, const HardPoint& first) { return &p == &first || p.overlap >= 0; }
 
+/// The couple that goes with a normal impulse.
+void resist_turning(HardContacts& h, HardContact& c, double load) {
+  const sc_vec before = contact_spin(h.bodies, c);
+  const sc_vec couple = sc_turn_struck(contact_turning(h, c), before, load);
+  give_couple(h, c, couple);
+  c.struck_couple = sc_add(c.struck_couple, couple);
+  book_turning_loss(c, couple, before, contact_spin(h.bodies, c));
+}
+
 /// Approaches at one point that end.
 double strike(HardContacts& h, HardContact& c, HardPoint& p, double threshold, bool rub) {
   const sc_vec before = contact_velocity(h.bodies, c, p);
@@ -22,6 +31,7 @@ double strike(HardContacts& h, HardContact& c, HardPoint& p, double threshold, b
   give(h, c, p, impulse);
   p.struck = sc_add(p.struck, impulse);
   book_loss(c, impulse, before, contact_velocity(h.bodies, c, p));
+  if (rub && c.resists_turning()) resist_turning(h, c, sc_dot(c.push, impulse));
   return approach;
 }
 

@@ -48,7 +48,9 @@ bool shapes_touch(ParticleSystem& s, std::size_t c, std::optional<sc_shape_touch
     return true;
   }
   const sc_vec branch = branch_of_pair(s, c);
-  const double gap = sc_shapes_gap(body_shape(p, i, s.forms), body_shape(p, j, s.forms), branch, found.normal),
+  // Bodies may overlap and have no vertex in each other; how far the nearest is away is known then.
+  const double by_support = sc_shapes_gap(body_shape(p, i, s.forms), body_shape(p, j, s.forms), branch, found.normal),
+               gap = s.vertices ? std::max(by_support, -found.overlap) : by_support,
                reach = p.motion.row(i)[lane::radius] + p.motion.row(j)[lane::radius];
   store4(memory, lane4{});
   s.contacts.apart[c] = apart_until(way, free_way(gap, sc_norm(branch), reach, s.domain.shortest_period()));
@@ -78,6 +80,11 @@ void note_place(const ParticleSystem& s, const sc_shape_touch& found, HardContac
   c.overlap = t.overlap;
 }
 
+void take_laws(const ParticleSystem& s, std::size_t materials, HardContact& c) {
+  c.law = s.materials.impact[materials];
+  c.turning = s.materials.turning[materials];
+}
+
 HardContact pair_contact(const ParticleSystem& s, std::size_t c) {
   const Particles& p = s.particles;
   HardContact out;
@@ -87,7 +94,7 @@ HardContact pair_contact(const ParticleSystem& s, std::size_t c) {
   out.memory = static_cast<std::int32_t>(c);
   out.low = p.id[out.a];
   out.high = p.id[out.b];
-  out.law = s.materials.impact[s.materials.index(p.material[out.a], p.material[out.b])];
+  take_laws(s, s.materials.index(p.material[out.a], p.material[out.b]), out);
   out.began = !s.contacts.active[c];
   out.slid = s.contacts.active[c] == contact_code(true, true);
   // Held from A to B in the memory of the pair, on the owner.
@@ -96,6 +103,7 @@ HardContact pair_contact(const ParticleSystem& s, std::size_t c) {
   out.smaller = std::min(p.radius_by_volume(out.a), p.radius_by_volume(out.b));
   if (s.contacts.remembers_shapes) std::copy_n(&s.contacts.shape[pair_memory * c + pair_lean], 2, out.lean);
   out.twist = s.contacts.roll[4 * c + 3];
+  recall_rolling(&s.contacts.slide[4 * c], &s.contacts.roll[4 * c], out);
   return out;
 }
 
@@ -114,11 +122,12 @@ HardContact wall_contact(const ParticleSystem& s, std::int32_t particle, std::in
   out.face = s.wall_contacts.wall[w];
   out.low = p.id[particle];
   out.high = out.face;
-  out.law = s.materials.impact[s.materials.index(p.material[particle], s.walls.faces[out.face].material)];
+  take_laws(s, s.materials.index(p.material[particle], s.walls.faces[out.face].material), out);
   out.began = !s.wall_contacts.active[w];
   out.slid = s.wall_contacts.active[w] == contact_code(true, true);
   out.held = vec_of(&s.wall_contacts.slide[4 * std::size_t(w)]);
   out.twist = s.wall_contacts.roll[4 * std::size_t(w) + 3];
+  recall_rolling(&s.wall_contacts.slide[4 * std::size_t(w)], &s.wall_contacts.roll[4 * std::size_t(w)], out);
   out.smaller = p.radius_by_volume(particle);
   if (p.shaped())
     for (std::size_t k = 0; k < 2; ++k)

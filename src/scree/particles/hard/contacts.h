@@ -7,6 +7,7 @@
 
 #include "scree/particles/system.h"
 #include "scree/physics/impulse/impact.h"
+#include "scree/physics/impulse/roll.h"
 
 namespace scree {
 
@@ -36,26 +37,32 @@ struct HardPoint {
 struct HardContact {
   static constexpr std::int32_t wall = -1;
 
-  std::int32_t a = 0, b = wall;              // places of the particles
-  std::int32_t memory = 0;                   // place among the pairs, or among the contacts with walls
-  std::int32_t face = -1;                    // of a wall
-  std::int64_t low = 0, high = 0;            // key: ids; number of the face
-  bool began = false;                        // did not touch one step before
-  bool slid = false;                         // slid at the end of the step before
-  std::int8_t points = 1;                    // how many there are
-  sc_impact_law law{};                       // of the two materials
-  sc_vec push{};                             // unit normal from B to A
-  sc_vec along{};                            // a direction across, of a flat contact
-  bool known = false;                        // the search that found it says where it is:
-  sc_vec arm_a{}, arm_b{};                   // from the centres [m]
-  double overlap = 0, smaller = 0;           // [m]; radius of the smaller body [m]
-  sc_vec struck{}, held{};                   // sums over the points [N s]
-  double lean[2] = {0, 0};                   // of the loads held by feet: their moments along and across [N s m]
-  double twist = 0;                          // moment about the normal of what holds feet across [N s m]
-  double approach = 0;                       // speed at which the two met [m/s]
-  double lost_normal = 0, lost_sliding = 0;  // in the present phase [J]
+  std::int32_t a = 0, b = wall;    // places of the particles
+  std::int32_t memory = 0;         // place among the pairs, or among the contacts with walls
+  std::int32_t face = -1;          // of a wall
+  std::int64_t low = 0, high = 0;  // key: ids; number of the face
+  bool began = false;              // did not touch one step before
+  bool slid = false;               // slid at the end of the step before
+  std::int8_t points = 1;          // how many there are
+  sc_impact_law law{};
+  sc_turn_law turning{};                  // of the two materials
+  sc_vec push{};                          // unit normal from B to A
+  sc_vec along{};                         // a direction across, of a flat contact
+  bool known = false;                     // the search that found it says where it is:
+  sc_vec arm_a{}, arm_b{};                // from the centres [m]
+  double overlap = 0, smaller = 0;        // [m]; radius of the smaller body [m]
+  double radius = 0;                      // effective, where something resists turning [m]
+  sc_vec wall_spin{};                     // [rad/s]
+  sc_vec struck{}, held{};                // sums over the points [N s]
+  sc_vec struck_couple{}, held_couple{};  // on A, against rolling and twisting [N m s]
+  double lean[2] = {0, 0};                // of the loads held by feet: their moments along and across [N s m]
+  double twist = 0;                       // moment about the normal of what holds feet across [N s m]
+  double rolled[2] = {0, 0};              // couple against rolling that holds, in the plane of the contact [N m s]
+  double approach = 0;                    // speed at which the two met [m/s]
+  double lost_normal = 0, lost_sliding = 0, lost_rolling = 0;  // in the present phase [J]
 
   bool at_wall() const { return b == wall; }
+  bool resists_turning() const { return turning.rolling > 0 || turning.twisting > 0; }
   /// The point that bears in the phase of rest first: feet bear in place of the middle.
   int first_bearing() const { return points > 1 ? 1 : 0; }
 };
@@ -92,6 +99,18 @@ inline sc_vec contact_velocity(const std::vector<HardBody>& bodies, const HardCo
   return sc_sub(at_a, sc_add(b.velocity, sc_cross(b.spin, p.arm_b)));
 }
 
+/// Spin of A seen from B [rad/s].
+inline sc_vec contact_spin(const std::vector<HardBody>& bodies, const HardContact& c) {
+  return sc_sub(bodies[c.a].spin, c.at_wall() ? c.wall_spin : bodies[c.b].spin);
+}
+
+/// What resists turning of the bodies of a contact against each other.
+inline sc_turn_hold contact_turning(const HardContacts& h, const HardContact& c) {
+  const sc_mat& mine = h.bodies[c.a].inverse_inertia;
+  return sc_make_turn_hold(c.push, c.at_wall() ? mine : sc_add_mat(mine, h.bodies[c.b].inverse_inertia),
+                           c.turning.rolling * c.radius, c.turning.twisting * c.radius);
+}
+
 /// K of both bodies.
 inline sc_mat contact_response(const HardContacts& h, const HardContact& c, const HardPoint& p) {
   const HardBody& a = h.bodies[c.a];
@@ -112,6 +131,16 @@ inline void give(HardContacts& h, const HardContact& c, const HardPoint& p, sc_v
   if (!c.at_wall()) hit(h.bodies[c.b], p.arm_b, sc_scale(-1, impulse));
 }
 
+/// Gives A a couple and B its opposite.
+inline void give_couple(HardContacts& h, const HardContact& c, sc_vec couple) {
+  const auto turn = [](HardBody& body, double sign, sc_vec gift) {
+    if (body.inverse_mass == 0) return;
+    body.spin = sc_add_scaled(body.spin, sign, sc_turn(body.inverse_inertia, gift));
+  };
+  turn(h.bodies[c.a], 1, couple);
+  if (!c.at_wall()) turn(h.bodies[c.b], -1, couple);
+}
+
 /// Work of an impulse between the velocities before and after it, by direction: losses of the contact.
 inline void book_loss(HardContact& c, sc_vec impulse, sc_vec before, sc_vec after) {
   const sc_vec sum = sc_scale(0.5, sc_add(before, after));
@@ -119,6 +148,11 @@ inline void book_loss(HardContact& c, sc_vec impulse, sc_vec before, sc_vec afte
   const double normal = -sc_dot(impulse, c.push) * sc_dot(sum, c.push);
   c.lost_normal += normal;
   c.lost_sliding += all - normal;
+}
+
+/// The same of a couple, between the spins before and after it.
+inline void book_turning_loss(HardContact& c, sc_vec couple, sc_vec before, sc_vec after) {
+  c.lost_rolling -= 0.5 * sc_dot(couple, sc_add(before, after));
 }
 
 }  // namespace scree

@@ -13,15 +13,17 @@ void Course::go_on(HardContacts& h, Bearings& bearings) {
   last_ = size;
   // A change that grows has lost its way: start again.
   const bool again = !(share <= 1);
-  for (BearingPoint& p : bearings.points) {
+  const auto carry_on = [&](sc_vec& value, sc_vec before, sc_vec& course) {
     if (again) {
-      p.course = sc_zero_vec();
-      continue;
+      course = sc_zero_vec();
+      return;
     }
-    const sc_vec change = sc_sub(p.held, p.before), more = sc_scale(share, p.course);
-    p.held = sc_add(p.held, more);
-    p.course = sc_add(more, change);
-  }
+    const sc_vec change = sc_sub(value, before), more = sc_scale(share, course);
+    value = sc_add(value, more);
+    course = sc_add(more, change);
+  };
+  for (BearingPoint& p : bearings.points) carry_on(p.held, p.before, p.course);
+  for (BearingTurn& t : bearings.turns) carry_on(t.couple, t.before, t.course);
   move_bodies(h, share, again);
 }
 

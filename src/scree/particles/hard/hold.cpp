@@ -22,6 +22,12 @@ bool is_collision(double before, double after, double threshold) {
   return before > std::max(threshold, 2 * (after - before));
 }
 
+/// A direction across the push of a contact, and the other one.
+struct Across {
+  sc_vec s, t;
+  explicit Across(sc_vec push) : s(sc_perpendicular(push)), t(sc_cross(push, s)) {}
+};
+
 double friction_at_rest(const HardContact& c) { return c.slid ? c.law.friction : c.law.friction_static; }
 
 /// What the preparation of all contacts needs.
@@ -53,6 +59,21 @@ double prepare(const Rest& rest, HardContact& c, Bearing& row, BearingPoint* to)
   return fastest;
 }
 
+/// What resists turning there, from the couple of the step before.
+void prepare_turning(const HardContacts& h, const HardContact& c, std::span<const BearingPoint> points,
+                     BearingTurn& to) {
+  if (!c.resists_turning()) return;
+  to.hold = contact_turning(h, c);
+  to.radius = c.radius;
+  to.offset = c.wall_spin;
+  if (c.points > 1) return;
+  double load = 0;
+  for (const BearingPoint& p : points) load += sc_dot(c.push, p.held);
+  const Across across(c.push);
+  const sc_vec before = sc_add(sc_scale(c.rolled[0], across.s), sc_scale(c.rolled[1], across.t));
+  to.couple = sc_no_longer(before, to.hold.rolling * load);
+}
+
 /// All of them, in the order of visits.
 double prepare_all(const Rest& rest, Bearings& out) {
   HardContacts& h = rest.h;
@@ -65,8 +86,15 @@ double prepare_all(const Rest& rest, Bearings& out) {
     first += static_cast<std::uint32_t>(c.points - c.first_bearing());
   }
   out.points.assign(first, {});
-  return visit_places(
-      h, [&](std::size_t k) { return prepare(rest, h.all[h.order[k]], out.all[k], &out.points[out.all[k].first]); });
+  const bool turns = std::ranges::any_of(h.all, [](const HardContact& c) { return c.resists_turning(); });
+  if (turns) out.turns.assign(h.all.size(), {});
+  return visit_places(h, [&](std::size_t k) {
+    HardContact& c = h.all[h.order[k]];
+    BearingPoint* points = &out.points[out.all[k].first];
+    const double fastest = prepare(rest, c, out.all[k], points);
+    if (turns) prepare_turning(h, c, {points, out.all[k].count}, out.turns[k]);
+    return fastest;
+  });
 }
 
 /// Bodies begin with the impulses that their contacts remember.
@@ -80,6 +108,7 @@ void begin(HardContacts& h, const Bearings& bearings) {
       at.arm_b = bearings.points[p].arm_b;
       give(h, contact, at, bearings.points[p].held);
     }
+    if (!bearings.turns.empty()) give_couple(h, contact, bearings.turns[k].couple);
     return 0.0;
   });
 }
@@ -100,9 +129,10 @@ bool slides(const HardContact& c, const HardPoint& p) {
 }
 
 /// Brings the impulses home.
-void take_back(const Rest& rest, HardContact& c, const BearingPoint* from, bool moved) {
+void take_back(const Rest& rest, HardContact& c, const BearingPoint* from, const BearingTurn* turn, bool moved) {
   for (HardPoint& p : rest.h.points_of(c).subspan(static_cast<std::size_t>(c.first_bearing())))
     p.held = p.left_alone || !moved ? sc_zero_vec() : (from++)->held;
+  c.held_couple = turn && moved ? turn->couple : sc_zero_vec();
 }
 
 /// Books the losses, and what the contact remembers.
@@ -116,6 +146,10 @@ void conclude(const Rest& rest, HardContact& c) {
     all_slide &= slides(c, p);
   }
   c.slid = one_slides && all_slide;
+  book_turning_loss(c, c.held_couple, contact_spin(rest.before, c), contact_spin(rest.h.bodies, c));
+  const Across across(c.push);
+  c.rolled[0] = sc_dot(across.s, c.held_couple);
+  c.rolled[1] = sc_dot(across.t, c.held_couple);
   note_moments(c, all);
 }
 
@@ -132,7 +166,8 @@ void hold(HardContacts& h, const std::vector<HardBody>& before, const HardSettin
   }
   visit_places(h, [&](std::size_t k) {
     HardContact& c = h.all[h.order[k]];
-    take_back(rest, c, &bearings.points[bearings.all[k].first], fastest > 0);
+    take_back(rest, c, &bearings.points[bearings.all[k].first], bearings.turns.empty() ? nullptr : &bearings.turns[k],
+              fastest > 0);
     return 0.0;
   });
   visit_all(h, [&](HardContact& c) {

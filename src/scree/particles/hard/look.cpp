@@ -22,8 +22,16 @@ void look_at_spheres(const ParticleSystem& s, HardContact& c, HardPoint& p) {
   c.overlap = t.touch.overlap;
 }
 
+/// Vertices that have just left each other tell nothing: the contact stays where it was on A.
+void stay(const ParticleSystem& s, HardContact& c, bool owner_first, HardPoint& p) {
+  p.arm_b = sc_add_scaled(p.arm_a, owner_first ? -1 : 1, branch_of_pair(s, c.memory));
+  c.overlap = SC_MIN(c.overlap, 0.0);
+}
+
 void look_at_shapes(const ParticleSystem& s, HardContact& c, HardPoint& p) {
-  const sc_shape_touch t = sc_shape_touch_from(touch_of_shapes(s, c.memory), s.contacts.pairs.owner[c.memory] == c.a);
+  const bool owner_first = s.contacts.pairs.owner[c.memory] == c.a;
+  const sc_shape_touch t = sc_shape_touch_from(touch_of_shapes(s, c.memory), owner_first);
+  if (s.vertices && t.verdict != SC_GROWTH_TOUCHING) return stay(s, c, owner_first, p);
   c.push = sc_scale(-1, t.normal);
   p.arm_a = t.arm;
   p.arm_b = t.arm_second;
@@ -48,6 +56,29 @@ void look_at_wall(const ParticleSystem& s, HardContact& c, HardPoint& p) {
   c.push = sc_scale(-1, normal);
 }
 
+/// The effective radius of a contact, by the present curvatures; the law of soft contacts takes the same [m].
+double effective_radius(const ParticleSystem& s, const HardContact& c) {
+  const Particles& p = s.particles;
+  const bool round = is_sphere(p, c.a) && (c.at_wall() || is_sphere(p, c.b));
+  if (round) {
+    const double a = p.motion.row(c.a)[lane::radius];
+    if (c.at_wall()) return a;
+    const double b = p.motion.row(c.b)[lane::radius];
+    return a * b / (a + b);
+  }
+  const sc_vec normal = sc_scale(-1, c.push);
+  if (c.at_wall()) {
+    sc_body_gap gap{};
+    gap.normal = normal;
+    return sc_wall_met(body_shape(p, c.a, s.forms), gap, p.radius_by_volume(c.a)).radius;
+  }
+  sc_shape_touch touch{};
+  touch.normal = normal;
+  return sc_shapes_meet(body_shape(p, c.a, s.forms), body_shape(p, c.b, s.forms), touch, p.radius_by_volume(c.a),
+                        p.radius_by_volume(c.b))
+      .radius;
+}
+
 /// Velocity of the wall of a contact at a point [m/s].
 sc_vec surface_at(const ParticleSystem& s, const HardContact& c, sc_vec arm_a) {
   const sc_wall_pose& pose = s.walls.pose_of(c.face);
@@ -58,7 +89,8 @@ sc_vec surface_at(const ParticleSystem& s, const HardContact& c, sc_vec arm_a) {
 
 /// Feet take their places behind the first point, which goes to their middle.
 void add_feet(const ParticleSystem& s, HardContact& c, HardPoint* points) {
-  const Feet feet = find_feet(s, c, points[0].arm_a, points[0].arm_b);
+  // Vertices tell one point of a contact.
+  const Feet feet = s.vertices ? Feet{} : find_feet(s, c, points[0].arm_a, points[0].arm_b);
   c.points = static_cast<std::int8_t>(1 + feet.count);
   c.along = feet.along;
   if (feet.count == 0) return;
@@ -81,14 +113,19 @@ void finish(const ParticleSystem& s, HardContacts& h, std::size_t k) {
   HardPoint* points = &h.points[static_cast<std::size_t>(h.room) * k];
   points[0].overlap = c.overlap;
   if (h.room > 1) add_feet(s, c, points);
-  if (c.at_wall())
-    for (HardPoint& p : h.points_of(c)) p.surface = surface_at(s, c, p.arm_a);
+  if (c.resists_turning()) c.radius = effective_radius(s, c);
+  if (!c.at_wall()) return;
+  const sc_wall_pose& pose = s.walls.pose_of(c.face);
+  if (pose.moves) c.wall_spin = pose.spin_now;
+  for (HardPoint& p : h.points_of(c)) p.surface = surface_at(s, c, p.arm_a);
 }
 
 void look_at(const ParticleSystem& s, HardContacts& h, std::size_t k) {
   HardContact& c = h.all[k];
   HardPoint& first = h.points[static_cast<std::size_t>(h.room) * k];
+  const sc_vec arm_a = first.arm_a;
   first = {};
+  first.arm_a = arm_a;
   if (c.at_wall())
     look_at_wall(s, c, first);
   else if (is_sphere(s.particles, c.a) && is_sphere(s.particles, c.b))

@@ -98,7 +98,7 @@ void settle(const SweepView& v, const std::vector<HardBody>& bodies, SweepFindin
   const std::int64_t n = static_cast<std::int64_t>(bodies.size());
   double fastest2 = 0;
   bool inside = true, sound = true;
-#pragma omp parallel for schedule(static) reduction(max : fastest2) reduction(&& : inside, sound)
+#pragma omp parallel for schedule(static) reduction(max : fastest2) reduction(&& : inside, sound) if (n >= worth_a_team)
   for (std::int64_t i = 0; i < n; ++i) {
     double *m = v.motion + 8 * i, *spin = v.spin + 4 * i;
     inside = !wrap(v, i, m) && inside;

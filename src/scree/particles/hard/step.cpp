@@ -56,7 +56,7 @@ void collide_and_drift(ParticleSystem& s, ContactLists& lists, const HardSetting
   step.relocated = relocate(s, h, settings, move.gravity);
   collide(h, settings, move.kick * sc_norm(move.gravity));
   count_impacts(h, step.findings);
-  book_contacts(s.particles, h, &HardPoint::struck, &HardContact::struck);
+  book_contacts(s.particles, h, hard_collisions);
   drift(s.particles, h.bodies, 0.5 * move.drift);
   step.before = h.bodies;
 }
@@ -68,7 +68,7 @@ void push_and_hold(ParticleSystem& s, ContactLists& lists, const HardSettings& s
   if (!settings.sequential) {
     look_again(s, h);
     hold(h, step.before, settings, move.kick * sc_norm(move.gravity), move.drift);
-    book_contacts(s.particles, h, &HardPoint::held, &HardContact::held);
+    book_contacts(s.particles, h, hard_rest);
   }
   const SweepView view = view_of(s, lists, move, {}, field);
   book_push(s.particles, step.before, h.bodies, move, view.book_gravity, step.given);
