@@ -1,5 +1,5 @@
 """Draws a run of Scree: DIR/series.png from series.csv, and DIR/particles.png from the last frame;
-DIR/groups.png too where the particles belong to several groups.
+DIR/groups.png too where the particles belong to several groups; DIR/fluid.png from the last frame of a fluid.
 
 usage: plot.py DIR
 """
@@ -17,6 +17,7 @@ except ImportError as missing:
 
 matplotlib.use("Agg")
 
+import plot_fluid
 import plot_particles
 import plot_series
 
@@ -33,8 +34,11 @@ def main():
         pictures.append(plot_particles.draw(frames[-1], directory / "particles.png"))
         if plot_particles.has_groups(frames[-1]):
             pictures.append(plot_particles.draw(frames[-1], directory / "groups.png", by_group=True))
+    fluid = sorted((directory / "fluid").glob("fluid_*.h5"))
+    if fluid:
+        pictures.append(plot_fluid.draw(fluid[-1], directory / "fluid.png"))
     if not any(pictures):
-        sys.exit(f"plot.py: '{directory}' holds neither rows in series.csv nor particles in frames/; is it a run directory?")
+        sys.exit(f"plot.py: '{directory}' holds neither rows in series.csv nor frames; is it a run directory?")
     for picture in filter(None, pictures):
         print(picture)
 

@@ -4,6 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
+import plot_fluid_series
 from plot_style import COLOURS, STYLE, si_scale
 
 ENERGIES = {
@@ -140,6 +141,8 @@ def draw_lengths(axes, series, what, unit):
 
 def panels_of(series):
     """What there is to draw."""
+    if "pressure_iterations" in series:
+        return plot_fluid_series.panels_of(series)
     panels = [draw_energies, draw_exchanges, draw_errors, draw_contacts, draw_speeds]
     panels += [draw_agglomerates, draw_sizes, draw_structure] if "agglomerates" in series else [draw_momentum]
     if "inserted_mass" in series:

@@ -78,6 +78,9 @@ class Cases(unittest.TestCase):
                 self.assertTrue((example.parent / "README.md").exists())
                 checked = scree("check", example)
                 self.assertPasses(checked)
+                if "\n[fluid]\n" in example.read_text():
+                    self.check_fluid_example(example)
+                    continue
                 step = float(re.search(r"time step +(\S+) s", checked.stdout).group(1))
                 out = self.directory / example.parent.name
                 self.assertPasses(scree("run", example, "--until", STEPS * step, "--threads", 2, "-o", out, "--quiet"))
@@ -88,6 +91,17 @@ class Cases(unittest.TestCase):
                 self.assertAlmostEqual(series["time"][-1], summary["time"])
                 self.assertTrue(np.all(np.isfinite(series["kinetic_energy"])))
                 self.assertTrue((out / "frames" / "frame_000000.h5").exists())
+
+    def check_fluid_example(self, example):
+        out = self.directory / example.parent.name
+        end = tomllib.loads(example.read_text())["simulation"]["end"] / 400
+        self.assertPasses(scree("run", example, "--until", end, "--threads", 2, "-o", out, "--quiet"))
+        summary = json.loads((out / "summary.json").read_text())
+        self.assertEqual(summary["status"], "finished")
+        self.assertAlmostEqual(summary["time"], end)
+        series = np.atleast_1d(np.genfromtxt(out / "series.csv", delimiter=",", names=True))
+        self.assertTrue(np.all(np.isfinite(series["kinetic_energy"])))
+        self.assertTrue((out / "fluid" / "fluid_000000.h5").exists())
 
     def test_the_architecture_tells_the_memory(self):
         text = (SOURCE / "ARCHITECTURE.md").read_text()

@@ -117,6 +117,55 @@ series = "1 ms"
 """
 
 
+# A duct with a step, a body in it and a bed behind it, all of which the cuts between ranks go through.
+FLUID = """
+[simulation]
+end = 0.2
+[domain]
+min = [0, 0, 0]
+max = [2, 1, 0.5]
+periodic = [false, false, true]
+[gravity]
+type = "uniform"
+acceleration = [0, -1, 0]
+[fluid]
+type = "incompressible"
+density = 1.2
+viscosity = 0.01
+cells = [16, 8, 4]
+convection = "van_leer"
+time_step = 0.01
+divergence_tolerance = 1e-11
+correctors = 2
+void_fraction = "x > 1.5 ? 0.7 + 0.1 * sin(5 * t) : 1"
+drag = "x > 1.5 ? 2 : 0"
+[[fluid.blocks]]
+min = [0, 0.5, 0]
+max = [0.5, 1, 0.5]
+[[fluid.blocks]]
+min = [0.5, 0, 0]
+max = [2, 1, 0.5]
+[[fluid.obstacles]]
+min = [1, 0.25, 0]
+max = [1.25, 0.5, 0.25]
+[[fluid.patches]]
+name = "in"
+face = "x_min"
+type = "inlet"
+velocity = ["1 + 0.2 * sin(10 * t)", "0", "0"]
+[[fluid.patches]]
+name = "out"
+face = "x_max"
+type = "outlet"
+[[fluid.probes]]
+name = "wake"
+points = [[1.6, 0.3, 0.1], [0.1, 0.1, 0.1]]
+[output]
+series = 0.02
+frames = 0.1
+"""
+
+
 def content(file):
     """Everything in an HDF5 file, but for when and from what case it was written."""
     found = {}
@@ -126,7 +175,7 @@ def content(file):
     return {key: numpy.asarray(value).tobytes() for key, value in found.items() if key != "@case"}
 
 
-class OnSeveralRanks(unittest.TestCase):
+class Ranks(unittest.TestCase):
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
@@ -139,6 +188,8 @@ class OnSeveralRanks(unittest.TestCase):
         return subprocess.run(launcher + command, capture_output=True, text=True, cwd=self.work, env=ENVIRONMENT,
                               timeout=300)
 
+
+class OnSeveralRanks(Ranks):
     def run_on(self, ranks, case, output, *words, threads=1):
         result = self.scree(ranks, case, output, *words, threads=threads)
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -252,6 +303,44 @@ def variable(pid, name):
         if entry.startswith(name.encode() + b"="):
             return entry.split(b"=", 1)[1].decode()
     return None
+
+
+class FluidOnSeveralRanks(Ranks):
+    def fields(self, output):
+        with h5py.File(sorted((self.work / output / "fluid").glob("*.h5"))[-1]) as file:
+            return {name: file["fields"][name][:] for name in ("velocity", "pressure")}
+
+    def hash(self, output):
+        return json.loads((self.work / output / "summary.json").read_text())["fluid_hash"]
+
+    def run_fluid(self, ranks, output, *words):
+        result = self.scree(ranks, FLUID, output, *words)
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_the_flow_does_not_depend_on_the_ranks(self):
+        self.run_fluid(1, "one")
+        one = self.fields("one")
+        for ranks in (2, 4):
+            self.run_fluid(ranks, f"on{ranks}")
+            for name, values in self.fields(f"on{ranks}").items():
+                self.assertLess(numpy.abs(values - one[name]).max(), 1e-10 * numpy.abs(one[name]).max(), name)
+
+    def test_a_flow_goes_on_with_the_same_bits(self):
+        self.run_fluid(2, "whole")
+        self.run_fluid(2, "pieces", "--until", "0.1")
+        self.run_fluid(2, "pieces", "--restart", "latest")
+        self.assertEqual(self.hash("pieces"), self.hash("whole"))
+        self.run_fluid(2, "other", "--until", "0.1")
+        self.run_fluid(1, "other", "--restart", "latest")  # on another number of ranks: the same but for rounding
+        whole = self.fields("whole")
+        for name, values in self.fields("other").items():
+            self.assertLess(numpy.abs(values - whole[name]).max(), 1e-10 * numpy.abs(whole[name]).max(), name)
+
+    def test_too_many_ranks_are_refused(self):
+        thin = FLUID.replace("cells = [16, 8, 4]", "cells = [16, 2, 1]").split("[[fluid.blocks]]")[0]
+        result = self.scree(4, thin.replace("cells = [16,", "cells = [4,"), "thin")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("processes are too many", result.stderr)
 
 
 if __name__ == "__main__":

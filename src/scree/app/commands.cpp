@@ -9,6 +9,7 @@
 #include "scree/app/bench.h"
 #include "scree/app/data_files.h"
 #include "scree/app/derived.h"
+#include "scree/app/fluid_report.h"
 #include "scree/app/info.h"
 #include "scree/app/memory_need.h"
 #include "scree/app/plot.h"
@@ -106,6 +107,10 @@ Command declare_check(CLI::App& app) {
   c->add_option("-o,--output", *directory, "where the results would go [runs/NAME]");
   return {"check", [=] {
             const Case loaded = load_case(arguments->file, arguments->set);
+            if (solves_flow(loaded)) {
+              print(fluid_report(loaded));
+              return static_cast<int>(Exit::success);
+            }
             // First what nothing need be made for: a case that does not fit must not fill the memory.
             std::string refusal = memory_refusal(loaded, available_memory());
             const Exit verdict = refusal.empty() ? Exit::input : Exit::resource;

@@ -23,7 +23,7 @@ std::string times_text(const ProgressState& s) { return fmt::format("t = {:.4g} 
 
 std::string rates_text(const ProgressState& s) {
   std::string text = fmt::format("{:3.0f} %", std::floor(100 * s.fraction));
-  if (s.speed > 0) text += fmt::format(" | {:.2e} particle-steps/s", s.speed);
+  if (s.speed > 0) text += fmt::format(" | {:.2e} {}/s", s.speed, s.counted);
   if (s.remaining) text += " | ETA " + clock_text(*s.remaining);
   return text;
 }
@@ -88,7 +88,7 @@ ProgressState Progress::measure(double time, std::uint64_t particle_steps, const
     last_time_ = time;
     last_steps_ = particle_steps;
   }
-  ProgressState state{time, end_, 1.0, speed_, std::nullopt, note};
+  ProgressState state{time, end_, 1.0, speed_, std::nullopt, note, options_.counted};
   if (end_ > start_) state.fraction = std::clamp((time - start_) / (end_ - start_), 0.0, 1.0);
   if (pace_ > 0) state.remaining = std::max(0.0, (end_ - time) / pace_);
   return state;

@@ -13,9 +13,10 @@ namespace scree {
 struct ProgressState {
   double time = 0, end = 0;         // simulated [s]
   double fraction = 0;              // done of this run, 0 to 1
-  double speed = 0;                 // particle-steps per second
+  double speed = 0;                 // particle-steps per second, or what else is counted
   std::optional<double> remaining;  // wall time to go [s]; empty while unknown
   std::string note;                 // the ledger's line
+  std::string counted = "particle-steps";
 };
 
 /// The line for a terminal of `width` columns; it never takes more. The bar takes what room there is, the note goes
@@ -35,6 +36,7 @@ struct ProgressOptions {
   bool colour = false;
   std::function<int()> width;   // of the terminal [columns]
   std::function<double()> now;  // wall clock [s]
+  std::string counted = "particle-steps";
 };
 
 /// Looks at `stream`: a terminal (and TERM not "dumb") gets the bar, in colour unless NO_COLOR is set.

@@ -42,9 +42,7 @@ void require_same_case(const Archive& archive, const Case& c) {
       text + fmt::format("  = help: begin a new run (-o DIR or --force), or change nothing but {}", changeable_keys()));
 }
 
-double time_of(const Archive& archive) {
-  return static_cast<double>(archive.integer("step")) * archive.number("time_step");
-}
+double time_of(const Archive& archive) { return archive.number("time"); }
 
 void require_later_end(const Archive& archive, double end) {
   const double time = time_of(archive);

@@ -9,9 +9,11 @@
 
 #include "scree/app/build_exchange.h"
 #include "scree/app/derived.h"
+#include "scree/app/fluid_run.h"
 #include "scree/app/memory_need.h"
 #include "scree/app/restart.h"
 #include "scree/app/run_loop.h"
+#include "scree/app/run_parts.h"
 #include "scree/base/atomic_file.h"
 #include "scree/base/memory.h"
 #include "scree/base/version.h"
@@ -70,15 +72,6 @@ void say_end(const RunResult& result, const RunOptions& options) {
           .c_str());
 }
 
-/// Threads asked for, or the processors at hand. More than a few per processor can only be a mistake.
-int threads_of(const RunOptions& options) {
-  const int processors = options.processors.mine, most = std::max(64, 4 * processors);
-  if (options.threads > most)
-    throw InputError(fmt::format("--threads {}: this process may use {} processors; give at most {}", options.threads,
-                                 processors, most));
-  return options.threads > 0 ? options.threads : processors;
-}
-
 /// What `scree check` would warn of.
 void say_warnings(const Case& c, const std::string& directory) {
   const std::string warnings = check_warnings(c, derive(c), output_place(directory));
@@ -93,28 +86,6 @@ std::int64_t end_step(double end, double dt) {
                     "{:.1e} can be counted",
                     end, dt, end / dt, most_steps));
   return step_at(end, dt);
-}
-
-Summary begin_summary(const Case& c, const Clock& clock, double end) {
-  Summary summary;
-  summary.version = version;
-  summary.commit = commit;
-  summary.case_file = c.path;
-  summary.title = c.simulation.title;
-  summary.started = timestamp_now();
-  summary.first_step = static_cast<std::uint64_t>(clock.step);
-  summary.end = end;
-  return summary;
-}
-
-/// What `write` is about to write, or why it cannot: a second failure must not hide the first.
-template <class Write>
-std::string second_attempt(const Write& write) {
-  try {
-    return write();
-  } catch (const std::exception& error) {
-    return fmt::format("\n  and {}", error.what());
-  }
 }
 
 void report_stop(Stop stop, const InterruptGuard& interrupt, const RunOptions& options, Outputs& outputs,
@@ -169,20 +140,6 @@ void run_to_stop(RunLoop& run, const RunOptions& options, const InterruptGuard& 
   }
 }
 
-/// Writes the summary; when the run has gone wrong already, a refusal only adds to its reason.
-void finish_summary(const RunDirectory& directory, RunResult& result) {
-  const auto write = [&] {
-    write_summary(directory.summary(), result.summary);
-    return std::string();
-  };
-  if (result.status == Exit::success)
-    write();
-  else if (result.status == Exit::resource)
-    second_attempt(write);
-  else
-    result.summary.reason += second_attempt(write);
-}
-
 /// What is not there yet on several ranks.
 void refuse_on_ranks(const Case& c, const Ranks& ranks) {
   if (ranks.alone()) return;
@@ -198,26 +155,6 @@ void refuse_on_ranks(const Case& c, const Ranks& ranks) {
   if (!build_outlets(c).empty() || !build_feeds(c).empty()) refuse("simulation.exchange_every", "feeds and outlets");
 }
 
-/// What to do if the ranks of this machine are bound so that processors stay idle; empty if they are not.
-std::string idle_processors(const Processors& p, int threads) {
-  if (p.used >= p.there || threads > p.mine) return {};
-  return fmt::format(
-      "the processes of this run are bound to {} of the {} processors of this machine. To use all, give mpirun "
-      "`--bind-to none`",
-      p.used, p.there);
-}
-
-/// Says what is to be known before a run begins.
-void announce(const Case& c, const RunOptions& options, const Beginning& beginning, int threads) {
-  if (!options.ranks.root()) return;
-  for (const std::string& warning : beginning.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  if (options.quiet) return;
-  if (!beginning.announcement.empty()) std::fprintf(stderr, "%s\n", beginning.announcement.c_str());
-  if (const std::string idle = idle_processors(options.processors, threads); !idle.empty())
-    std::fprintf(stderr, "warning: %s\n", idle.c_str());
-  if (!beginning.nothing_to_do && !beginning.archive) say_warnings(c, options.directory);
-}
-
 /// The run as the root conducts it and as it is written.
 RunResult conduct(Simulation& simulation, const Beginning& beginning, const RunOptions& options,
                   WallClock::time_point begin, double end) {
@@ -231,7 +168,7 @@ RunResult conduct(Simulation& simulation, const Beginning& beginning, const RunO
   write_text_file(directory.case_file(), resolved_case(c));
 
   RunResult result;
-  result.summary = begin_summary(c, simulation.clock(), end);
+  result.summary = begin_summary(c, simulation.clock().step, end);
   RunLoop run{simulation, outputs, WallLimit(begin, options.wall_time), last_step};
   std::optional<Progress> progress;
   if (!options.quiet) progress.emplace(detect_progress(stderr), simulation.clock().now(), end);
@@ -257,13 +194,16 @@ RunResult follow(Simulation& simulation) {
 }  // namespace
 
 RunResult run_case(const Case& c, const RunOptions& options) {
+  if (solves_flow(c)) return run_fluid(c, options);
   const auto begin = WallClock::now();
   const double end = options.until.value_or(c.simulation.end);
   const int threads = threads_of(options);
   omp_set_num_threads(threads);
   refuse_on_ranks(c, options.ranks);
   const Beginning beginning = find_beginning(c, options, end);
-  announce(c, options, beginning, threads);
+  announce(options, beginning, threads);
+  if (options.ranks.root() && !options.quiet && !beginning.nothing_to_do && !beginning.archive)
+    say_warnings(c, options.directory);
   if (beginning.nothing_to_do) return {};
   if (const std::string refusal = memory_refusal(c, available_memory()); !refusal.empty()) throw ResourceError(refusal);
   Simulation simulation(c, threads, beginning.archive ? &*beginning.archive : nullptr, options.ranks);

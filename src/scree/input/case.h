@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "scree/input/fluid_keys.h"
 #include "scree/physics/contact/contact.h"
 
 namespace scree {
@@ -313,6 +314,7 @@ struct Case {
   DomainKeys domain;
   GravityKeys gravity;
   FlowKeys flow;
+  FluidKeys fluid;
   ContactKeys contact;
   HardKeys hard;
   std::vector<MaterialKeys> materials;
@@ -328,6 +330,9 @@ struct Case {
 
 /// Whether collisions are impulses.
 inline bool is_hard(const Case& c) { return c.contact.collision == "hard"; }
+
+/// Whether the flow of a fluid is solved for.
+inline bool solves_flow(const Case& c) { return c.fluid.type != "none"; }
 
 /// Whether contacts of shapes are found by vertices.
 inline bool by_vertices(const Case& c) { return c.contact.detection == "vertices"; }

@@ -143,7 +143,7 @@ void check_steps(const Check& check) {
 
 void check_particles(const Check& check) {
   const Case& c = check.c;
-  if (c.particles.empty() && check.sound({"particles"}))
+  if (c.particles.empty() && !solves_flow(c) && check.sound({"particles", "fluid.type"}))
     check.fail("E103", "", "there are no particles", "",
                "add a group headed by [[particles]]   (scree explain particles)");
   for (std::size_t i = 0; i < c.particles.size(); ++i) {

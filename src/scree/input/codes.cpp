@@ -86,6 +86,11 @@ constexpr ErrorCode codes[] = {
     {"E191", "not there yet on several ranks",
      "The case needs something that runs on one process so far. Run it without mpirun: one process uses all processors "
      "of its machine."},
+    {"E192", "no flow solver in this program",
+     "The program was built without MPI or without hypre, which solve for the pressure of a fluid. Install "
+     "libhypre-dev "
+     "and "
+     "an MPI, and build with -DSCREE_MPI=ON."},
 };
 
 }  // namespace

@@ -12,6 +12,7 @@ const Section& simulation_section();
 const Section& domain_section();
 const Section& gravity_section();
 const Section& flow_section();
+const Section& fluid_section();
 const Section& contact_section();
 const Section& hard_section();
 const Section& materials_section();

@@ -58,6 +58,24 @@ void complete_shape(ParticleKeys& p, bool has_diameter) {
                      bounding_radius(a, p.exponents[0], p.exponents[1]);
 }
 
+/// Names by number, and the whole face where no part of it is given.
+void complete_fluid(Case& c, const Origins& origins) {
+  FluidKeys& f = c.fluid;
+  const auto name = [&](auto& list, const char* table, const char* word) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (!origins.given(item_path(table, i) + ".name")) list[i].name = fmt::format("{}{}", word, i);
+  };
+  name(f.blocks, "fluid.blocks", "block");
+  name(f.obstacles, "fluid.obstacles", "obstacle");
+  name(f.patches, "fluid.patches", "patch");
+  name(f.probes, "fluid.probes", "probe");
+  for (std::size_t i = 0; i < f.patches.size(); ++i) {
+    const std::string path = item_path("fluid.patches", i);
+    if (!origins.given(path + ".min")) f.patches[i].min = c.domain.min;
+    if (!origins.given(path + ".max")) f.patches[i].max = c.domain.max;
+  }
+}
+
 /// Defaults that are not constants: names by number, the whole domain as region, absolute file names, a tangential law
 /// that fits the normal one.
 void complete(Case& c, const Origins& origins) {
@@ -79,6 +97,7 @@ void complete(Case& c, const Origins& origins) {
   }
   for (std::size_t i = 0; i < c.outlets.size(); ++i)
     if (!origins.given(item_path("outlets", i) + ".name")) c.outlets[i].name = fmt::format("outlet{}", i);
+  complete_fluid(c, origins);
   complete_measures(c.analysis.planes, "analysis.planes", "plane", c.domain, origins);
   complete_measures(c.analysis.averages, "analysis.averages", "average", c.domain, origins);
   complete_measures(c.analysis.surfaces, "analysis.surfaces", "surface", c.domain, origins);
@@ -100,6 +119,7 @@ Outcome evaluate(Table root, const std::string& path, const std::vector<std::str
   check_walls(check);
   check_particles(check);
   check_fields(check);
+  check_fluid(check);
   check_output(check);
   check_exchange(check);
   check_analysis(check);

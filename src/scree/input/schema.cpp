@@ -115,7 +115,8 @@ Json describe_table(const Section& section) {
 std::string json_schema() {
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Scree case file"}};
   schema.update(describe_table(case_section()));
-  schema["required"] = {"simulation", "domain", "materials", "particles"};
+  schema["required"] = {"simulation", "domain"};
+  schema["anyOf"] = Json::array({{{"required", {"materials", "particles"}}}, {{"required", {"fluid"}}}});
   return schema.dump(1) + "\n";
 }
 

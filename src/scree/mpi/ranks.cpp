@@ -107,6 +107,13 @@ std::int64_t Ranks::total(std::int64_t mine) const {
   return mine;
 }
 
+double Ranks::sum(double mine) const {
+  if (alone()) return mine;
+  std::vector<double> all(count_);
+  MPI_Allgather(&mine, 1, MPI_DOUBLE, all.data(), 1, MPI_DOUBLE, MPI_COMM_WORLD);
+  return std::accumulate(all.begin(), all.end(), 0.0);
+}
+
 void Ranks::add_up(std::vector<std::int64_t>& mine) const {
   if (alone()) return;
   const Stopwatch watch(traffic_->waiting);
@@ -173,6 +180,15 @@ void Ranks::swap(const std::vector<Message>& outgoing, std::vector<Message>& inc
   wait_for(requests);
 }
 
+void start_mpi_alone() {
+  int started = 0;
+  MPI_Initialized(&started);
+  if (started) return;
+  int provided = 0;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+  std::atexit([] { MPI_Finalize(); });
+}
+
 RanksOfRun::RanksOfRun() {
   if (!launched()) return;
   int provided = 0;
@@ -210,6 +226,8 @@ void RanksOfRun::bring_down(int code) const {
 
 double Ranks::largest(double mine) const { return mine; }
 std::int64_t Ranks::total(std::int64_t mine) const { return mine; }
+double Ranks::sum(double mine) const { return mine; }
+void start_mpi_alone() {}
 void Ranks::add_up(std::vector<std::int64_t>&) const {}
 void Ranks::find_largest(std::vector<double>&) const {}
 std::int64_t Ranks::of_root(std::int64_t mine) const { return mine; }

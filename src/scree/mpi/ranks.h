@@ -45,6 +45,9 @@ class Ranks {
   /// The sum over all ranks; integers, so that the order does not matter.
   std::int64_t total(std::int64_t mine) const;
 
+  /// The sum of a number over all ranks, added by rising rank: the same everywhere.
+  double sum(double mine) const;
+
   /// The sums of all values of all ranks, place by place.
   void add_up(std::vector<std::int64_t>& mine) const;
 
@@ -85,6 +88,9 @@ struct Processors {
 
 /// Those of this process, as if no other one were there.
 Processors processors_alone();
+
+/// Starts MPI where this process is alone, for libraries that cannot do without; nothing without MPI.
+void start_mpi_alone();
 
 /// Joins the processes that mpirun has started, for as long as it lives; without mpirun this process is alone and MPI
 /// is not touched. One at most.

@@ -19,6 +19,7 @@ struct NumberedFiles {
 inline constexpr NumberedFiles frame_files{"frame_", 6};
 inline constexpr NumberedFiles wall_files{"walls_", 6};
 inline constexpr NumberedFiles contact_files{"contacts_", 6};
+inline constexpr NumberedFiles fluid_files{"fluid_", 6};
 inline constexpr NumberedFiles checkpoint_files{"checkpoint_", 12};
 
 std::string numbered_name(const NumberedFiles& series, std::uint64_t number);

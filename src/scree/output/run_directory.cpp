@@ -22,10 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array own_files = {"case.toml",  "fields.xdmf", "walls.xdmf",       "contacts.xdmf",
+constexpr std::array own_files = {"case.toml",  "fields.xdmf", "walls.xdmf",       "contacts.xdmf", "fluid.xdmf",
                                   "series.csv", "tracks.csv",  "agglomerates.csv", "summary.json"};
-constexpr std::array<std::pair<const char*, NumberedFiles>, 4> own_folders = {
-    {{"frames", frame_files}, {"walls", wall_files}, {"contacts", contact_files}, {"checkpoints", checkpoint_files}}};
+constexpr std::array<std::pair<const char*, NumberedFiles>, 5> own_folders = {{{"frames", frame_files},
+                                                                               {"walls", wall_files},
+                                                                               {"contacts", contact_files},
+                                                                               {"fluid", fluid_files},
+                                                                               {"checkpoints", checkpoint_files}}};
 constexpr const char* averages_folder = "averages";
 
 /// The averages' files carry names of the case: all grids and films in their folder, and torn ones.

@@ -49,6 +49,12 @@ std::string summary_text(const Summary& s) {
                {"sharing", table(s.sharing)},
                {"ledger", table(s.ledger)},
                {"state_hash", s.state_hash}};
+  if (s.cells > 0) {
+    json["cells"] = s.cells;
+    json["cell_steps_per_second"] =
+        s.wall_seconds > 0 ? static_cast<double>(s.cells) * static_cast<double>(s.steps) / s.wall_seconds : 0.0;
+    json["fluid_hash"] = s.fluid_hash;
+  }
   // A path or a message may hold bytes that are no UTF-8; a summary with a mark in it is better than none.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

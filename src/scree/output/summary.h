@@ -29,10 +29,12 @@ struct Summary {
   std::uint64_t particle_steps = 0;                     // particles times steps, summed while it ran
   std::uint64_t contacts = 0;                           // contacts that acted, in every step anew, since the start
   std::uint64_t wall_contacts = 0;                      // of these with walls
+  std::uint64_t cells = 0;                              // of the fluid; 0 without one, and then not written
   int ranks = 1, threads = 1;                           // processes; threads of the root
   std::vector<std::pair<std::string, double>> sharing;  // how several ranks shared the steps
   std::vector<std::pair<std::string, double>> ledger;   // the last books, names as in series.csv
   std::string state_hash;                               // SHA-256 of the final state
+  std::string fluid_hash;                               // and of the fluid; empty without one, and then not written
 };
 
 /// The text of summary.json; particle_steps_per_second is derived. Numbers that are not finite become null.

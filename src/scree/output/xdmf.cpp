@@ -32,6 +32,12 @@ const char* attribute_type(std::uint64_t components) {
   }
 }
 
+std::string cell_attribute(const std::string& file, const XdmfField& field, std::uint64_t cells) {
+  return fmt::format("    <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Cell\">{}</Attribute>\n", field.name,
+                     attribute_type(field.components),
+                     data_item(file + ":/fields/" + field.name, cells, field.element, field.components));
+}
+
 }  // namespace
 
 std::string xdmf_grid(const XdmfFrame& frame) {
@@ -72,10 +78,21 @@ std::string xdmf_grid(const XdmfCells& c) {
       c.time, c.cells[2] + 1, c.cells[1] + 1, c.cells[0] + 1, c.min[2], c.min[1], c.min[0], c.spacing[2], c.spacing[1],
       c.spacing[0]);
   const auto rows = static_cast<std::uint64_t>(c.cells[0] * c.cells[1] * c.cells[2]);
-  for (const XdmfField& field : c.fields)
-    text += fmt::format("    <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Cell\">{}</Attribute>\n", field.name,
-                        attribute_type(field.components),
-                        data_item(c.file + ":/fields/" + field.name, rows, field.element, field.components));
+  for (const XdmfField& field : c.fields) text += cell_attribute(c.file, field, rows);
+  return text + "   </Grid>\n";
+}
+
+std::string xdmf_grid(const XdmfRectilinear& c) {
+  std::string text = fmt::format(
+      "   <Grid Name=\"fluid\" GridType=\"Uniform\">\n    <Time Value=\"{}\"/>\n"
+      "    <Topology TopologyType=\"3DRectMesh\" Dimensions=\"{} {} {}\"/>\n    <Geometry GeometryType=\"VXVYVZ\">",
+      c.time, c.cells[2] + 1, c.cells[1] + 1, c.cells[0] + 1);
+  for (int a = 0; a < 3; ++a)
+    text += data_item(fmt::format("{}:/faces/{}", c.file, "xyz"[a]), static_cast<std::uint64_t>(c.cells[a] + 1),
+                      Element::float64, 1);
+  text += "</Geometry>\n";
+  const auto rows = static_cast<std::uint64_t>(c.cells[0] * c.cells[1] * c.cells[2]);
+  for (const XdmfField& field : c.fields) text += cell_attribute(c.file, field, rows);
   return text + "   </Grid>\n";
 }
 

@@ -35,6 +35,15 @@ struct XdmfCells {
   std::vector<XdmfField> fields;
 };
 
+/// Fields of the cells of a rectilinear grid, whose faces are the datasets "x", "y", "z" of the group "faces"; x runs
+/// fastest.
+struct XdmfRectilinear {
+  std::string file;
+  double time = 0;
+  std::array<std::int64_t, 3> cells{};
+  std::vector<XdmfField> fields;
+};
+
 /// The walls at the time of one frame; files are relative to the XDMF file.
 struct XdmfSurface {
   std::string points_file, triangles_file;  // the second holds the walls of the triangles too
@@ -50,6 +59,9 @@ std::string xdmf_surface(const XdmfSurface& surface);
 
 /// The element for averages on a grid, each field an attribute of its cells; datasets are in the group "fields".
 std::string xdmf_grid(const XdmfCells& cells);
+
+/// The element for a frame of fields, each an attribute of the cells; datasets are in the group "fields".
+std::string xdmf_grid(const XdmfRectilinear& cells);
 
 /// The whole document: a temporal collection of the given grids, one after the other.
 std::string xdmf_document(const std::string& grids);

@@ -1,0 +1,76 @@
+#include "scree/app/build_fluid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "scree/base/error.h"
+#include "scree/base/expression.h"
+#include "scree/input/fluid_region.h"
+
+namespace scree {
+namespace {
+
+const std::vector<std::string> variables = {"x", "y", "z", "t"};
+
+bool uses_time(const std::string& text) { return Expression(text, variables).uses("t"); }
+
+/// Places in the lists of keys_fluid.cpp and of sc_convection agree.
+int convection_of(const std::string& word) {
+  constexpr const char* words[] = {"central", "symmetric", "upwind", "van_leer", "superbee", "quick"};
+  static_assert(SC_CENTRAL == 0 && SC_SYMMETRIC == 1 && SC_UPWIND == 2 && SC_VAN_LEER == 3 && SC_SUPERBEE == 4 &&
+                SC_QUICK == 5);
+  for (int i = 0; i < 6; ++i)
+    if (word == words[i]) return i;
+  throw std::logic_error("unknown convection scheme");
+}
+
+}  // namespace
+
+PlaceFormula place_formula(const std::string& text, double nothing) {
+  Expression formula(text, variables);
+  const bool constant = std::ranges::none_of(variables, [&](const std::string& v) { return formula.uses(v); });
+  if (constant && formula(std::array<double, 4>{}) == nothing) return {};
+  const auto shared = std::make_shared<Expression>(std::move(formula));
+  return [shared](const std::array<double, 3>& x, double t) {
+    return (*shared)(std::array<double, 4>{x[0], x[1], x[2], t});
+  };
+}
+
+std::array<PlaceFormula, 3> place_formulas(const Expression3& text) {
+  return {place_formula(text[0], 0), place_formula(text[1], 0), place_formula(text[2], 0)};
+}
+
+FluidRegion build_fluid_region(const Case& c) {
+  return make_fluid_region(c, [](const char*, const std::string& path, const std::string& message, const std::string&,
+                                 const std::string&) { throw InputError(fmt::format("{}: {}", path, message)); });
+}
+
+FluidSettings build_fluid_settings(const Case& c) {
+  const FluidKeys& k = c.fluid;
+  FluidSettings s;
+  s.density = k.density;
+  s.viscosity = k.viscosity;
+  s.convection = convection_of(k.convection);
+  if (c.gravity.type == "uniform") s.gravity = c.gravity.acceleration;
+  s.force = place_formulas(k.force);
+  s.void_fraction = place_formula(k.void_fraction, 1);
+  s.moving_void_fraction = uses_time(k.void_fraction);
+  s.drag = place_formula(k.drag, 0);
+  s.drag_velocity = place_formulas(k.drag_velocity);
+  for (const FluidPatchKeys& patch : k.patches) {
+    PatchValues values;
+    values.velocity = place_formulas(patch.velocity);
+    values.pressure = place_formula(patch.pressure, 0);
+    s.patches.push_back(values);
+  }
+  s.divergence_tolerance = k.divergence_tolerance;
+  s.viscous_tolerance = k.viscous_tolerance;
+  s.correctors = static_cast<int>(k.correctors);
+  s.bicgstab = k.pressure_solver == "bicgstab";
+  return s;
+}
+
+}  // namespace scree

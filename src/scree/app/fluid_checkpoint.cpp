@@ -1,0 +1,92 @@
+#include "scree/app/fluid_checkpoint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scree/base/hash.h"
+#include "scree/fluid/halo.h"
+#include "scree/fluid/whole.h"
+
+namespace scree {
+namespace {
+
+constexpr const char* axes = "xyz";
+
+/// Calls visit(name, axis or 3, field) for all that a checkpoint holds.
+template <class State, class Visit>
+void for_each_field(State& s, Visit&& visit) {
+  for (int a = 0; a < 3; ++a) {
+    visit(fmt::format("fluid_velocity_{}", axes[a]), 3, s.velocity[a]);
+    visit(fmt::format("fluid_velocity_old_{}", axes[a]), 3, s.velocity_old[a]);
+    visit(fmt::format("fluid_flux_{}", axes[a]), a, s.flux[a]);
+    visit(fmt::format("fluid_flux_old_{}", axes[a]), a, s.flux_old[a]);
+  }
+  visit("fluid_pressure", 3, s.pressure);
+  visit("fluid_correction", 3, s.correction);
+  visit("fluid_fraction", 3, s.fraction);
+  visit("fluid_fraction_old", 3, s.fraction_old);
+}
+
+std::vector<double> gather(const FluidSolver& s, int axis, const Field& field) {
+  return axis == 3 ? gather_cells(s, field) : gather_faces(s, axis, field);
+}
+
+}  // namespace
+
+Archive save_fluid(const FluidSolver& s) {
+  Archive out;
+  out.set("step", s.state.step);
+  out.set("time", s.state.time);
+  out.set("time_step", s.state.last_dt);
+  out.set("fluid_pace", s.state.pace);
+  for_each_field(s.state,
+                 [&](const std::string& name, int axis, const Field& field) { out.put(name, gather(s, axis, field)); });
+  const FluidBooks& b = s.state.books;
+  std::vector<double> books;
+  for (const auto& row : {b.content, b.change, b.error, b.turned}) books.insert(books.end(), row.begin(), row.end());
+  out.put("fluid_books", std::move(books));
+  return out;
+}
+
+void restore_fluid(FluidSolver& s, const Archive& archive) {
+  FluidState& st = s.state;
+  st.step = archive.integer("step");
+  st.time = archive.number("time");
+  st.last_dt = archive.number("time_step");
+  st.pace = archive.number("fluid_pace");
+  for_each_field(st, [&](const std::string& name, int axis, Field& field) {
+    const std::span<const double> whole = archive.get<double>(name);
+    if (axis == 3) {
+      scatter_cells(s, whole, field);
+      renew_ghosts(s.mesh, s.ranks, Mesh::ghosts, {&field});
+    } else {
+      scatter_faces(s, axis, whole, field);
+    }
+  });
+  const std::span<const double> books = archive.get<double>("fluid_books");
+  auto from = books.begin();
+  for (auto* row : {&st.books.content, &st.books.change, &st.books.error, &st.books.turned}) {
+    std::copy_n(from, row->size(), row->begin());
+    from += static_cast<std::ptrdiff_t>(row->size());
+  }
+  refresh(s);
+}
+
+std::string fluid_hash(const FluidSolver& s) {
+  Sha256 hash;
+  const auto add = [&](const double* x, std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const double plain = x[i] + 0.0;  // -0 and 0 are the same state
+      hash.update(&plain, sizeof plain);
+    }
+  };
+  add(&s.state.time, 1);
+  for_each_field(s.state, [&](const std::string&, int axis, const Field& field) {
+    const std::vector<double> whole = gather(s, axis, field);
+    add(whole.data(), whole.size());
+  });
+  return hash.hex();
+}
+
+}  // namespace scree

@@ -1,0 +1,109 @@
+#include "scree/app/fluid_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scree/app/build_fluid.h"
+#include "scree/base/memory.h"
+
+namespace scree {
+namespace {
+
+constexpr double fields_of_solver = 48;  // of all cells, ghosts included
+constexpr double multigrid_bytes = 300;  // per cell: hypre's matrices and vectors on all levels
+constexpr double largest_growth = 1.3;   // of a cell over its neighbour
+constexpr double slow_factor = 5;        // odd factors of a period that slow the multigrid down
+
+struct Widths {
+  double least = 0, most = 0, growth = 1;
+};
+
+Widths widths_of(const Grid& g, int a) {
+  Widths w{g.width(a, 0), g.width(a, 0), 1};
+  for (int i = 0; i < g.cells(a); ++i) {
+    w.least = std::min(w.least, g.width(a, i));
+    w.most = std::max(w.most, g.width(a, i));
+    if (i > 0) w.growth = std::max({w.growth, g.width(a, i) / g.width(a, i - 1), g.width(a, i - 1) / g.width(a, i)});
+  }
+  return w;
+}
+
+/// The fastest speed that the boundary and the start give, at the beginning.
+double given_speed(const Case& c, const FluidRegion& r) {
+  double fastest = 0;
+  const FluidSettings s = build_fluid_settings(c);
+  for (std::size_t p = 0; p < r.patches.size(); ++p) {
+    const CellBox& box = r.patches[p].cells;
+    for (const CellBox& cell : {CellBox{box.low, box.low}, CellBox{box.high, box.high}}) {
+      std::array<double, 3> x{}, middle{};
+      double at_corner = 0, at_middle = 0;
+      for (int a = 0; a < 3; ++a) {
+        x[a] = r.grid.faces[a][cell.low[a]];
+        middle[a] = 0.5 * (r.grid.faces[a][box.low[a]] + r.grid.faces[a][box.high[a]]);
+      }
+      for (int a = 0; a < 3; ++a)
+        if (s.patches[p].velocity[a]) {
+          at_corner += std::pow(s.patches[p].velocity[a](x, 0), 2);
+          at_middle += std::pow(s.patches[p].velocity[a](middle, 0), 2);
+        }
+      fastest = std::max({fastest, std::sqrt(at_corner), std::sqrt(at_middle)});
+    }
+  }
+  return fastest;
+}
+
+/// The largest factor of n that is no power of two.
+int odd_part(int n) {
+  while (n > 1 && n % 2 == 0) n /= 2;
+  return n;
+}
+
+std::string line(const char* what, const std::string& value, const std::string& verdict) {
+  return fmt::format("{:<28} {:<44} {}\n", what, value, verdict);
+}
+
+}  // namespace
+
+std::string fluid_report(const Case& c) {
+  const FluidRegion r = build_fluid_region(c);
+  const Grid& g = r.grid;
+  std::string text = fmt::format("{}: {}\n\n", c.path, c.simulation.title.empty() ? "a flow" : c.simulation.title);
+  const double cells = static_cast<double>(g.all().cells());
+  text += line("grid", fmt::format("{} x {} x {} = {:.4g} cells", g.cells(0), g.cells(1), g.cells(2), cells), "ok");
+  double least = INFINITY, across = 0;
+  for (int a = 0; a < 3; ++a) {
+    const Widths w = widths_of(g, a);
+    const bool rough = w.growth > largest_growth;
+    text += line(fmt::format("cells along {}", "xyz"[a]).c_str(),
+                 fmt::format("{:.4g} to {:.4g} m wide, neighbours differ by {:.3g}", w.least, w.most, w.growth),
+                 rough ? "warning: above 1.3 the solution loses accuracy; smaller ratios or more cells" : "ok");
+    if (g.cells(a) > 1) {
+      least = std::min(least, w.least);
+      across = std::max(across, g.faces[a].back() - g.faces[a].front());
+    }
+    if (g.periodic[a] && g.cells(a) > 1 && odd_part(g.cells(a)) > slow_factor)
+      text += line("", fmt::format("{} cells in a period", g.cells(a)),
+                   "warning: powers of two times 1, 3 or 5 are solved faster");
+  }
+  const double speed = given_speed(c, r);
+  if (speed > 0) {
+    const double step = c.fluid.time_step.value_or(c.fluid.courant * least / speed);
+    text += line("given speed", fmt::format("{:.4g} m/s", speed), "ok");
+    text += line("time step", fmt::format("about {:.3g} s, {:.3g} steps", step, c.simulation.end / step), "ok");
+    if (c.fluid.viscosity > 0) {
+      const double per_length = c.fluid.density * speed / c.fluid.viscosity;
+      text += line(
+          "Reynolds number",
+          fmt::format("{:.4g} over {:.4g} m, {:.4g} of a cell", per_length * across, across, per_length * least), "ok");
+    }
+  }
+  const double memory = cells * (8 * fields_of_solver + multigrid_bytes);
+  const auto there = available_memory();
+  text += line("memory", fmt::format("about {:.3g} MB", 1e-6 * memory),
+               there && memory > *there ? "warning: more than is available on this machine" : "ok");
+  return text;
+}
+
+}  // namespace scree

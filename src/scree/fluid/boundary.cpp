@@ -1,0 +1,105 @@
+#include "scree/fluid/boundary.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scree/base/error.h"
+
+namespace scree {
+namespace {
+
+/// What may be missing of what enters before it is no rounding: formulas of profiles are integrated by the midpoint.
+constexpr double largest_imbalance = 1e-3;
+
+void evaluate(BoundaryFace& f, const PatchValues& values, double time) {
+  for (int c = 0; c < 3; ++c)
+    if (values.velocity[c]) f.velocity[c] = values.velocity[c](f.place, time);
+  if (values.pressure) f.pressure = values.pressure(f.place, time);
+}
+
+double outward_flux(const FluidSolver& s, const BoundaryFace& f) { return f.side * s.state.flux[f.axis][f.face]; }
+
+/// Volume that must leave: the fluid displaced by what else is there, in a step.
+void balance_inlets(FluidSolver& s) {
+  double out = 0, moved = 0, area = 0;
+  for (const BoundaryFace& f : s.boundary) {
+    if (f.kind != PatchKind::inlet) continue;
+    const double q = outward_flux(s, f);
+    out += q;
+    moved += std::abs(q);
+    if (q != 0) area += f.area;
+  }
+  out = s.ranks.sum(out);
+  moved = s.ranks.sum(moved);
+  area = s.ranks.sum(area);
+  if (moved == 0) return;
+  if (std::abs(out) > largest_imbalance * moved)
+    throw PhysicsError(
+        fmt::format("the inlets of the fluid bring in {:.6g} m3/s more than they take out, and there is "
+                    "no outlet\n  = help: give a patch of the boundary type = \"outlet\"",
+                    -out));
+  for (const BoundaryFace& f : s.boundary)
+    if (f.kind == PatchKind::inlet && s.state.flux[f.axis][f.face] != 0)
+      s.state.flux[f.axis][f.face] -= f.side * out * (f.area / area);
+}
+
+}  // namespace
+
+void set_boundary(FluidSolver& s, double time) {
+  for (BoundaryFace& f : s.boundary) {
+    if (f.patch >= 0) evaluate(f, s.settings.patches[f.patch], time);
+    if (f.kind == PatchKind::outlet) continue;
+    const bool passes = f.kind == PatchKind::inlet;
+    s.state.flux[f.axis][f.face] = passes ? s.state.fraction[f.cell] * f.area * f.velocity[f.axis] : 0;
+  }
+  if (!s.mesh.outlets && !s.settings.moving_void_fraction) balance_inlets(s);
+}
+
+WallFriction wall_friction(const FluidSolver& s, const BoundaryFace& f, int component) {
+  if (!holds(f, component)) return {};
+  const double strength = s.state.fraction[f.cell] * s.settings.viscosity * f.area;
+  if (f.depth == 1) return {strength / f.half, 0};
+  const double y1 = f.half, y2 = f.second;
+  return {strength * y2 / (y1 * (y2 - y1)), strength * y1 / (y2 * (y2 - y1))};
+}
+
+double boundary_force(const FluidSolver& s, const BoundaryFace& f) {
+  const auto force_at = [&](std::int64_t face) {
+    return s.work.face_force[0].empty() ? 0.0 : s.work.face_force[f.axis][face];
+  };
+  const Field& p = s.state.pressure;
+  if (f.kind == PatchKind::outlet) return force_at(f.face) - f.side * (f.pressure - p[f.cell]) / f.half;
+  if (f.depth == 1) return 0;
+  // The faces of the cells behind, as if they pointed along the axis.
+  const std::int64_t second = f.cell + f.inward, third = second + f.inward;
+  const double near = force_at(f.side > 0 ? f.cell : second) - f.side * (p[f.cell] - p[second]) / (f.second - f.half);
+  if (f.depth == 2) return near;
+  const double beyond = force_at(f.side > 0 ? second : third) - f.side * (p[second] - p[third]) / f.far;
+  const double own_width = 2 * f.half, next_width = 2 * (f.second - 2 * f.half);
+  return near + (near - beyond) * (own_width / next_width);
+}
+
+double passing_velocity(const FluidSolver& s, const BoundaryFace& f, int component) {
+  return f.kind == PatchKind::outlet ? s.state.velocity[component][f.cell] : f.velocity[component];
+}
+
+void add_boundary_convection(FluidSolver& s) {
+  for (const BoundaryFace& f : s.boundary) {
+    if (f.kind != PatchKind::inlet && f.kind != PatchKind::outlet) continue;
+    const double out = outward_flux(s, f);
+    for (int c = 0; c < 3; ++c) s.work.rhs[c][f.cell] -= out * passing_velocity(s, f, c);
+  }
+}
+
+void add_boundary_friction(FluidSolver& s) {
+  for (const BoundaryFace& f : s.boundary)
+    for (int c = 0; c < 3; ++c) {
+      const WallFriction w = wall_friction(s, f, c);
+      if (w.own == 0) continue;
+      const double behind = f.depth > 1 ? s.state.velocity[c][f.cell + f.inward] : 0;
+      s.work.rhs[c][f.cell] += w.own * f.velocity[c] + w.behind * (behind - f.velocity[c]);
+    }
+}
+
+}  // namespace scree

@@ -1,0 +1,82 @@
+// The flow solver: volume-averaged incompressible Navier-Stokes equations on a rectilinear grid.
+//
+//   mass      d(e)/dt + div(e u) = 0
+//   momentum  d(e rho u)/dt + div(rho F u) = -e grad p + div(e tau) + e rho g + f + K (v - u)     (model A)
+//
+// e is the fraction of the volume that is fluid, F = e u the volume flux, K the drag of whatever else is there, moving
+// with v. Incremental fractional step with BDF2 (Guermond, Minev & Shen 2006) on collocated cells whose face fluxes are
+// the conserved quantity (Zang, Street & Koseff 1994); forces balanced at the faces; resistances in series between the
+// centres of two cells, which makes layers of different drag exact (docs/decisions/0020-flow-solver.md).
+#pragma once
+
+#include <memory>
+
+#include "scree/fluid/flow.h"
+#include "scree/fluid/helmholtz.h"
+#include "scree/fluid/pressure_solver.h"
+
+namespace scree {
+
+/// The backward differentiation formula of a step: (a0 x + a1 x_old + a2 x_older) / dt, and the extrapolation
+/// (1 + ratio) x_old - ratio x_older. The first step of a run has ratio 0.
+struct Bdf {
+  double dt = 0, ratio = 0, a0 = 1, a1 = -1, a2 = 0;
+};
+
+Bdf bdf_of(double dt, double last_dt);
+
+/// Fields that a step needs and forgets.
+struct FluidWork {
+  VectorField velocity_older, flux_older;
+  Field fraction_older;
+  VectorField mean_force;   // of both faces of a cell along each axis: force over void fraction less grad p [N/m3]
+  VectorField rhs;          // of the momentum equation without it [N]
+  VectorField spare;        // of the viscous solve; then e times the velocity without the force of the faces
+  Field divergence;         // what the pressure has to remove [m3/s]
+  Field wanted;             // what the corrections of the pressure bring in: the right-hand side of its equations
+  VectorField conductance;  // their coefficients
+  Field outlet_conductance;
+  Field drag;              // K; empty without drag
+  VectorField face_force;  // force per volume over the void fraction at the faces; empty without forces
+  VectorField passage;     // D a0 rho / dt of the faces, see projection.cpp; empty where all are as `open`
+  VectorField share;       // of the flux that drag leaves; empty without drag
+  VectorField drag_shift, drag_shift_now;  // see momentum.h: with the estimated and with the corrected fluxes
+  Helmholtz viscous;
+  std::array<double, 3> force{};  // of this rank's boundary in the step, and of what flows through it [N]
+  double viscous_dt = 0;          // that `viscous` was made for
+  bool pressure_set = false;
+};
+
+/// Everything of one rank. Not to be moved: the mesh refers to the region, the solver to the mesh.
+struct FluidSolver {
+  FluidSolver(const FluidRegion& region, FluidSettings settings, const Ranks& ranks);
+  FluidSolver(const FluidSolver&) = delete;
+  FluidSolver& operator=(const FluidSolver&) = delete;
+
+  /// Whether there is nothing in the flow: no void fraction, no drag.
+  bool plain() const { return !settings.void_fraction && !settings.drag; }
+
+  const FluidRegion region;
+  const FluidSettings settings;
+  const Ranks ranks;
+  const Mesh mesh;
+  FluidState state;
+  FluidWork work;
+  std::unique_ptr<PressureSolver> pressure;
+  std::vector<BoundaryFace> boundary;  // the mesh's, with what is given there now
+};
+
+/// Sets the velocity at the start, and fluxes that fit it as they are: the first step removes their divergence.
+void set_velocity(FluidSolver& solver, const std::array<PlaceFormula, 3>& velocity);
+
+/// Renews what follows from the state alone, after it has been set from outside.
+void refresh(FluidSolver& solver);
+
+/// Advances by dt [s]. Throws PhysicsError when the pressure cannot be found or a number is none.
+StepReport advance(FluidSolver& solver, double dt);
+
+/// The largest of (sum of fluxes out of a cell) / (its fluid volume), of all ranks [1/s]: times dt it is the Courant
+/// number.
+double courant_rate(const FluidSolver& solver);
+
+}  // namespace scree

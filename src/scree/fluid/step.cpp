@@ -1,0 +1,243 @@
+// The step: what happens to the fluid, in order.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scree/base/error.h"
+#include "scree/fluid/books.h"
+#include "scree/fluid/boundary.h"
+#include "scree/fluid/halo.h"
+#include "scree/fluid/momentum.h"
+#include "scree/fluid/projection.h"
+#include "scree/fluid/solver.h"
+
+namespace scree {
+namespace {
+
+/// Passes of the first step, which knows no pressure and no divergence-free flux yet.
+constexpr int first_passes = 4;
+
+void shift(VectorField& now, VectorField& old, VectorField& older, double ratio) {
+  std::swap(older, old);
+  std::swap(old, now);
+  for (int c = 0; c < 3; ++c) {
+    const std::int64_t size = static_cast<std::int64_t>(now[c].size());
+    const double *x = old[c].data(), *y = older[c].data();
+    double* out = now[c].data();
+#pragma omp parallel for simd schedule(static)
+    for (std::int64_t i = 0; i < size; ++i) out[i] = (1 + ratio) * x[i] - ratio * y[i];
+  }
+}
+
+/// Calls set(place in the arrays, place in space) for every cell of fluid.
+template <class Set>
+void for_each_cell(const Mesh& m, Set&& set) {
+  for (int k = 0; k < m.n[2]; ++k)
+    for (int j = 0; j < m.n[1]; ++j)
+      for (int i = 0; i < m.n[0]; ++i)
+        if (m.fluid[m.index(i, j, k)] > 0) set(m.index(i, j, k), m.centre(i, j, k));
+}
+
+void evaluate_fraction(FluidSolver& s, double time) {
+  if (!s.settings.void_fraction) return;
+  for_each_cell(s.mesh, [&](std::int64_t c, const auto& x) {
+    const double e = s.settings.void_fraction(x, time);
+    if (!(e > 0 && e <= 1))
+      throw PhysicsError(
+          fmt::format("fluid.void_fraction is {:.6g} at ({:.6g}, {:.6g}, {:.6g}) m, t = {:.6g} s; it "
+                      "must be above 0 and at most 1",
+                      e, x[0], x[1], x[2], time));
+    s.state.fraction[c] = e;
+  });
+  renew_ghosts(s.mesh, s.ranks, 2, {&s.state.fraction});
+}
+
+void evaluate_drag(FluidSolver& s, double time) {
+  if (!s.settings.drag) return;
+  for_each_cell(s.mesh, [&](std::int64_t c, const auto& x) { s.work.drag[c] = s.settings.drag(x, time); });
+  renew_ghosts(s.mesh, s.ranks, 1, {&s.work.drag});
+}
+
+/// Force per volume over the void fraction at a face, where `resistance` is the mean of 1 / void fraction there.
+double face_force(const FluidSolver& s, int a, const std::array<double, 3>& x, double time, double drag,
+                  double resistance) {
+  double force = s.settings.force[a] ? s.settings.force[a](x, time) : 0;
+  if (drag != 0 && s.settings.drag_velocity[a]) force += drag * s.settings.drag_velocity[a](x, time);
+  return s.settings.density * s.settings.gravity[a] + force * resistance;
+}
+
+/// All forces on the fluid but friction and the drag of its own motion, at the faces: they meet the pressure there.
+void evaluate_forces(FluidSolver& s, double time) {
+  if (s.work.face_force[0].empty()) return;
+  const Mesh& m = s.mesh;
+  const Field& e = s.state.fraction;
+  const auto drag_of = [&](std::int64_t c) { return s.work.drag.empty() ? 0.0 : s.work.drag[c]; };
+  for (int a = 0; a < 3; ++a)
+    for (int k = 0; k < m.n[2] + (a == 2); ++k)
+      for (int j = 0; j < m.n[1] + (a == 1); ++j)
+        for (int i = 0; i < m.n[0] + (a == 0); ++i) {
+          const std::int64_t c = m.index(i, j, k), b = c - m.stride[a];
+          if (m.open[a][c] == 0) continue;
+          const int at[3] = {i, j, k};
+          std::array<double, 3> x{};
+          for (int d = 0; d < 3; ++d)
+            x[d] =
+                d == a ? m.region->grid.faces[d][m.box.low[d] + at[d]] : m.region->grid.centre(d, m.box.low[d] + at[d]);
+          const double above = m.axis[a].lower_share[Mesh::ghosts + at[a]], below = 1 - above;
+          s.work.face_force[a][c] =
+              face_force(s, a, x, time, below * drag_of(b) + above * drag_of(c), below / e[b] + above / e[c]);
+        }
+  for (const BoundaryFace& f : s.boundary)
+    s.work.face_force[f.axis][f.face] = face_force(s, f.axis, f.place, time, drag_of(f.cell), 1 / e[f.cell]);
+}
+
+bool has_forces(const FluidSettings& k) {
+  for (int a = 0; a < 3; ++a)
+    if (k.force[a] || k.gravity[a] != 0 || (k.drag && k.drag_velocity[a])) return true;
+  return false;
+}
+
+void expect_finite(const FluidSolver& s) {
+  double largest = 0;
+  for_each_cell(s.mesh, [&](std::int64_t c, const auto&) {
+    for (int a = 0; a < 3; ++a) {
+      const double u = std::abs(s.state.velocity[a][c]);
+      largest = u <= largest ? largest : u;
+    }
+  });
+  if (!(s.ranks.largest(largest == largest ? largest : 1e308) < 1e100))
+    throw PhysicsError(
+        fmt::format("the velocity of the fluid is no number any more at t = {:.9g} s\n  = help: a smaller "
+                    "fluid.courant or time step",
+                    s.state.time));
+}
+
+}  // namespace
+
+Bdf bdf_of(double dt, double last_dt) {
+  Bdf b;
+  b.dt = dt;
+  b.ratio = last_dt > 0 ? dt / last_dt : 0;
+  b.a0 = (1 + 2 * b.ratio) / (1 + b.ratio);
+  b.a1 = -(1 + b.ratio);
+  b.a2 = b.ratio * b.ratio / (1 + b.ratio);
+  return b;
+}
+
+FluidSolver::FluidSolver(const FluidRegion& r, FluidSettings k, const Ranks& processes)
+    : region(r), settings(std::move(k)), ranks(processes), mesh(make_mesh(region, ranks)), boundary(mesh.boundary) {
+  for (VectorField* v :
+       {&state.velocity, &state.velocity_old, &state.flux, &state.flux_old, &work.velocity_older, &work.flux_older,
+        &work.mean_force, &work.rhs, &work.spare, &work.viscous.face, &work.conductance})
+    *v = mesh.make_vector();
+  for (Field* f : {&state.pressure, &state.correction, &work.divergence, &work.wanted, &work.outlet_conductance})
+    *f = mesh.make_field();
+  for (Field* f : {&state.fraction, &state.fraction_old, &work.fraction_older}) {
+    *f = mesh.make_field();
+    std::fill(f->begin(), f->end(), 1.0);
+  }
+  for (int c = 0; c < (mesh.slips ? 3 : 1); ++c) work.viscous.per_diagonal[c] = mesh.make_field();
+  if (settings.drag) {
+    work.drag = mesh.make_field();
+    for (VectorField* v : {&work.share, &work.drag_shift, &work.drag_shift_now}) *v = mesh.make_vector();
+  }
+  if (has_forces(settings)) work.face_force = mesh.make_vector();
+  if (!plain()) work.passage = mesh.make_vector();
+  pressure = make_pressure_solver(mesh, settings.bicgstab ? PressureMethod::bicgstab : PressureMethod::multigrid);
+}
+
+void set_velocity(FluidSolver& s, const std::array<PlaceFormula, 3>& velocity) {
+  evaluate_fraction(s, s.state.time);
+  const Mesh& m = s.mesh;
+  VectorField& u = s.state.velocity;
+  for_each_cell(m, [&](std::int64_t c, const auto& x) {
+    for (int a = 0; a < 3; ++a) u[a][c] = velocity[a] ? velocity[a](x, s.state.time) : 0;
+  });
+  renew_ghosts(m, s.ranks, 2, {&u[0], &u[1], &u[2]});
+  const Field& e = s.state.fraction;
+  for (int a = 0; a < 3; ++a)
+    for (int k = 0; k < m.n[2] + (a == 2); ++k)
+      for (int j = 0; j < m.n[1] + (a == 1); ++j)
+        for (int i = 0; i < m.n[0] + (a == 0); ++i) {
+          const std::int64_t c = m.index(i, j, k), below = c - m.stride[a];
+          const int at[3] = {i, j, k};
+          const double lower = m.axis[a].lower_share[Mesh::ghosts + at[a]];
+          s.state.flux[a][c] =
+              m.open[a][c] * m.area(a, i, j, k) * (lower * e[below] * u[a][below] + (1 - lower) * e[c] * u[a][c]);
+        }
+  for (const BoundaryFace& f : s.boundary)
+    if (f.kind == PatchKind::outlet) s.state.flux[f.axis][f.face] = e[f.cell] * f.area * u[f.axis][f.cell];
+  refresh(s);
+  open_books(s);
+}
+
+void refresh(FluidSolver& s) {
+  evaluate_drag(s, s.state.time);
+  evaluate_forces(s, s.state.time);
+  set_boundary(s, s.state.time);
+  find_face_friction(s);
+}
+
+StepReport advance(FluidSolver& s, double dt) {
+  FluidState& st = s.state;
+  FluidWork& w = s.work;
+  const Bdf bdf = bdf_of(dt, st.last_dt);
+  const double time = st.time + dt;
+  StepReport report;
+  shift(st.velocity, st.velocity_old, w.velocity_older, bdf.ratio);
+  shift(st.flux, st.flux_old, w.flux_older, bdf.ratio);
+  if (s.settings.void_fraction) {
+    std::swap(w.fraction_older, st.fraction_old);
+    std::swap(st.fraction_old, st.fraction);
+    evaluate_fraction(s, time);
+  }
+  evaluate_drag(s, time);
+  evaluate_forces(s, time);
+  set_boundary(s, time);
+  prepare_viscous(s, bdf);
+  prepare_projection(s, bdf);
+  const int passes = st.last_dt == 0 ? std::max(first_passes, s.settings.correctors) : s.settings.correctors;
+  for (int pass = 0; pass < passes; ++pass) {
+    find_mean_force(s);
+    if (!s.plain()) find_divergence(s, bdf);
+    find_rhs(s, bdf);
+    enter_known_forces(s);
+    const HelmholtzReport viscous = solve_momentum(s);
+    report.viscous_iterations += viscous.iterations;
+    report.viscous_residual = viscous.residual;
+    enter_friction_and_pressure(s);
+    predict_flux(s, bdf);
+    project(s, bdf, pass > 0, report);
+    enter_correction(s, bdf);
+  }
+  st.time = time;
+  st.last_dt = dt;
+  ++st.step;
+  expect_finite(s);
+  close_books(s, bdf);
+  return report;
+}
+
+double courant_rate(const FluidSolver& s) {
+  const Mesh& m = s.mesh;
+  double largest = 0;
+  for (int k = 0; k < m.n[2]; ++k)
+    for (int j = 0; j < m.n[1]; ++j)
+      for (int i = 0; i < m.n[0]; ++i) {
+        const std::int64_t c = m.index(i, j, k);
+        if (m.fluid[c] == 0) continue;
+        double sum = 0;
+        for (int a = 0; a < 3; ++a) sum += std::abs(s.state.flux[a][c]) + std::abs(s.state.flux[a][c + m.stride[a]]);
+        largest = std::max(largest, 0.5 * sum / (s.state.fraction[c] * m.cell_volume(i, j, k)));
+      }
+  // A flow that begins at rest is about to be as fast as its walls.
+  for (const BoundaryFace& f : s.boundary) {
+    double sum = 0;
+    for (int a = 0; a < 3; ++a) sum += std::abs(f.velocity[a]) * 0.5 / f.reach[a];
+    largest = std::max(largest, sum);
+  }
+  return s.ranks.largest(largest);
+}
+
+}  // namespace scree

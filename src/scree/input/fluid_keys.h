@@ -1,0 +1,75 @@
+// The keys of a fluid that is solved for. Meaning, unit, limits and default stand in input/keys_fluid.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scree {
+
+/// A piece of an axis of the grid.
+struct FluidSegmentKeys {
+  double to = 0;  // [m]
+  std::uint64_t cells = 0;
+  double ratio = 1;  // width of the last cell over that of the first
+};
+
+/// A box of cells: of fluid, or of a body in it.
+struct FluidBoxKeys {
+  std::string name;
+  std::array<double, 3> min{}, max{};  // [m]
+};
+
+/// A part of the boundary.
+struct FluidPatchKeys {
+  std::string name;
+  std::string face;                                    // x_min ... z_max
+  std::string of;                                      // a block or an obstacle; empty: the domain
+  std::array<double, 3> min{}, max{};                  // default: the whole face [m]
+  std::string type = "wall";                           // wall, slip, symmetry, inlet, outlet
+  std::array<std::string, 3> velocity{"0", "0", "0"};  // wall, inlet [m/s]
+  std::string pressure = "0";                          // outlet [Pa]
+};
+
+/// Places at which velocity and pressure are written.
+struct FluidProbeKeys {
+  std::string name;
+  std::vector<std::array<double, 3>> points;  // [m]
+};
+
+/// What the solution is compared with.
+struct FluidReferenceKeys {
+  std::string type = "none";  // none, formulas
+  std::array<std::string, 3> velocity{"0", "0", "0"};
+  std::string pressure = "0";
+};
+
+struct FluidKeys {
+  std::string type = "none";         // none, incompressible
+  double density = 0;                // [kg/m3]
+  double viscosity = 0;              // dynamic [Pa s]
+  std::vector<std::uint64_t> cells;  // along x, y, z
+  std::vector<FluidSegmentKeys> x, y, z;
+  std::vector<FluidBoxKeys> blocks, obstacles;
+  std::vector<FluidPatchKeys> patches;
+  std::array<std::string, 3> velocity{"0", "0", "0"};  // at the start [m/s]
+  std::array<std::string, 3> force{"0", "0", "0"};     // [N/m3]
+  std::string void_fraction = "1";
+  std::string drag = "0";                                   // [kg/(m3 s)]
+  std::array<std::string, 3> drag_velocity{"0", "0", "0"};  // [m/s]
+  std::string convection = "central";                       // central, symmetric, upwind, van_leer, superbee, quick
+  std::optional<double> time_step;                          // [s]; empty: by courant
+  double courant = 0.5;
+  std::optional<double> longest_step;  // [s]
+  std::uint64_t correctors = 1;
+  double divergence_tolerance = 1e-8;
+  double viscous_tolerance = 1e-8;
+  std::string pressure_solver = "multigrid";  // multigrid, bicgstab
+  double steady = 0;                          // 0: never
+  std::vector<FluidProbeKeys> probes;
+  FluidReferenceKeys reference;
+};
+
+}  // namespace scree
