@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How a run shares itself among processes of one thread. usage: scaling.py PROGRAM PACKINGS PROCESSES...
+"""How a run shares itself among processes of one thread. usage: scaling.py PROGRAM PACKINGS PROCESSES... [--cases NAMES...]
 
 PROGRAM is scree, PACKINGS the directory with dense.csv (`scree bench dense` makes it), PROCESSES as in "1 2 4 8". Prints one
 line per run in Markdown: the dense bed of 100 000 spheres shared by all (strong), one such bed per process side by side (weak),
@@ -7,6 +7,7 @@ and the 2000 falling ellipsoids of the thesis' table 4-5. The time of a step is 
 output left out; efficiency is the time of the first line over processes times this one (weak: over this one).
 """
 
+import argparse
 import csv
 import json
 import os
@@ -61,16 +62,24 @@ def ellipsoids(_packings, _processes, _directory):
     return "thesis_ellipsoids.toml", [], "0.3 s"
 
 
-def main(program, packings, *processes):
-    program, packings = os.path.abspath(program), os.path.abspath(packings)
+CASES = {"strong": strong, "weak": weak, "ellipsoids": ellipsoids}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=os.path.abspath)
+    parser.add_argument("packings", type=os.path.abspath)
+    parser.add_argument("processes", type=int, nargs="+")
+    parser.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES))
+    arguments = parser.parse_args()
     print("| case | processes | particles | steps | ms per step | efficiency | messages | bytes | imbalance | waiting | state |")
     print("|" + "---|" * 11)
-    for make in (strong, weak, ellipsoids):
+    for make in (CASES[name] for name in arguments.cases):
         first = None
-        for count in map(int, processes):
+        for count in arguments.processes:
             with tempfile.TemporaryDirectory() as directory:
-                case, settings, until = make(packings, count, directory)
-                s = run(program, count, case, settings, until, f"{directory}/run")
+                case, settings, until = make(arguments.packings, count, directory)
+                s = run(arguments.program, count, case, settings, until, f"{directory}/run")
             step = 1e3 * sum(s["stages"].get(stage, 0) for stage in STAGES) / s["steps"]
             first = first or (step, count)
             efficiency = first[0] / step * (1 if make is weak else first[1] / count)
@@ -85,6 +94,4 @@ def main(program, packings, *processes):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 4:
-        sys.exit(__doc__)
-    main(*sys.argv[1:])
+    main()

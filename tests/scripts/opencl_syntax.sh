@@ -1,6 +1,7 @@
 #!/bin/sh
 # Usage: opencl_syntax.sh SOURCE_DIR CLANG CXX
-# Compiles every header of physics/ and kernels/ alone, in every language and precision; fails with the first messages.
+# Compiles every header of physics/ and kernels/ alone, in every language and precision, and the kernels of devices for two
+# kinds of them; fails with the first messages.
 set -u
 source=$1 clang=$2 cxx=$3
 failed=0
@@ -31,6 +32,16 @@ for header in $(find "$source/scree/physics" "$source/scree/kernels" -name '*.h'
   check "$header as OpenCL C, float" "$clang" $opencl -DSCREE_FLOAT -Wdouble-promotion -I"$source" "$header"
   check "$header as C++" "$cxx" $cplusplus -Werror -I"$source" "$header"
   check "$header as C++, float" "$cxx" $cplusplus -Werror -DSCREE_FLOAT -Wdouble-promotion -I"$source" "$header"
+done
+laws="-DSC_GROUP=128 -DSC_CHOSEN_NORMAL=2 -DSC_CHOSEN_TANGENTIAL=6 -DSC_CHOSEN_ROLLING=1 -DSC_CHOSEN_TWISTING=1
+      -DSC_CHOSEN_COHESION=2"
+kernels=$(mktemp --suffix=.cl)
+trap 'rm -f "$kernels"' EXIT
+for text in spheres sort lists check; do
+  echo "#include \"scree/kernels/opencl/$text.cl\"" >> "$kernels"
+done
+for target in spir64 nvptx64; do
+  check "kernels for $target" "$clang" $opencl -target $target $laws -I"$source" "$kernels"
 done
 echo "$count headers"
 [ "$count" -gt 0 ] && [ "$failed" -eq 0 ]

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "scree/app/bench_device.h"
 #include "scree/app/bench_linear.h"
 #include "scree/app/bench_list.h"
 #include "scree/app/bench_mesh.h"
@@ -35,6 +36,7 @@ void check_names(const std::vector<std::string>& names) {
   std::vector<std::string> known;
   for (const BenchScene& scene : bench_scenes()) known.push_back(scene.name);
   known.push_back("linear");
+  known.insert(known.end(), {"gpu-spheres", "gpu-vortex"});
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw InputError(fmt::format("there is no benchmark '{}'; {}", name,
@@ -58,23 +60,35 @@ void check_options(const BenchOptions& options, const std::vector<std::string>& 
   }
 }
 
+std::int64_t largest_on_device(const BenchOptions& options) { return options.particles ? options.particles : 10000000; }
+
 /// Measures one benchmark with each number of threads, prints what it finds, and appends it to `figures`.
 void measure(const std::string& name, const std::vector<int>& threads, const BenchOptions& options,
              nlohmann::json& figures) {
-  const int rounds = options.rounds > 0 ? options.rounds : name == "linear" ? 3 : 5;
+  const int rounds = options.rounds > 0 ? options.rounds : name == "linear" || name.starts_with("gpu-") ? 3 : 5;
   if (name == "linear") {
-    for (const LinearFigures& f : measure_linear(threads, options.particles, rounds)) {
+    for (const LinearFigures& f : measure_linear(threads, options.particles ? options.particles : 1000000, rounds)) {
       fmt::print("{}", linear_text(f));
       figures.push_back(linear_json(f));
     }
     return;
   }
+  if (name == "gpu-vortex") {
+    for (const DeviceFigures& f : measure_vortex_on_device(options.device, largest_on_device(options), rounds))
+      figures.push_back(device_json(f));
+    return;
+  }
   // Absolute: file names in a case are relative to the case.
   const std::string packings = fs::absolute(options.packings.empty() ? cache_directory() : options.packings).string();
-  BenchScene scene = bench_scene(name);
-  for (std::string& change : make_mesh(name, packings)) scene.changes.push_back(std::move(change));
+  BenchScene scene = bench_scene(name == "gpu-spheres" ? "dense" : name);
+  for (std::string& change : make_mesh(scene.name, packings)) scene.changes.push_back(std::move(change));
   for (std::string& change : make_packing(scene, packings)) scene.changes.push_back(std::move(change));
   scene.changes.insert(scene.changes.end(), options.set.begin(), options.set.end());
+  if (name == "gpu-spheres") {
+    for (const DeviceFigures& f : measure_bed_on_device(scene, options.device, largest_on_device(options), rounds))
+      figures.push_back(device_json(f));
+    return;
+  }
   for (const int t : threads) {
     const SceneFigures f = measure_scene(scene, t, rounds);
     fmt::print("{}", scene_text(f));

@@ -8,13 +8,14 @@
 namespace scree {
 
 struct BenchOptions {
-  std::vector<std::string> names;    // of bench_scenes(), or linear; empty: dense and dilute
-  int threads = 0;                   // 0: with one thread and with all
-  int rounds = 0;                    // measurements of which the median counts; 0: 5, of linear 3
-  std::int64_t particles = 1000000;  // linear: the largest size
-  std::string json;                  // file for the figures; empty: none
-  std::string plot;                  // linear: file for the picture (PNG; its figures beside it); empty: none
-  std::vector<std::string> set;      // changes of the scenes, as of load_case(); not of how their particles are made
+  std::vector<std::string> names;  // of bench_scenes(), linear, gpu-spheres, gpu-vortex; empty: dense and dilute
+  int threads = 0;                 // 0: with one thread and with all
+  int rounds = 0;                  // measurements of which the median counts; 0: 5, of linear 3
+  std::int64_t particles = 0;      // the largest size; 0: of linear 1e6, on a device 1e7
+  std::string device = "opencl";   // gpu-...: as of `scree run`
+  std::string json;                // file for the figures; empty: none
+  std::string plot;                // linear: file for the picture (PNG; its figures beside it); empty: none
+  std::vector<std::string> set;    // changes of the scenes, as of load_case(); not of how their particles are made
   std::string packings;  // where the scenes' particles and meshes are kept; empty: the cache directory of the user
 };
 

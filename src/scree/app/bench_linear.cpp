@@ -18,19 +18,9 @@
 namespace scree {
 namespace {
 
-constexpr std::int64_t smallest = 10000;                // particles in bench/linear.toml
-constexpr std::array<int, 5> sizes{1, 3, 10, 30, 100};  // copies of it
+constexpr std::array<int, 5> sizes{1, 3, 10, 30, 100};  // periods of bench/linear.toml
 // A list of candidates lasts for some 30 steps: every round has its share of making them.
 constexpr int warm_steps = 20, round_steps = 40;
-
-/// The case with its box repeated: as many vortices per particle, each of the same size.
-Case enlarged_case(int copies) {
-  const std::string path = (data_directory("bench") / "linear.toml").string();
-  const std::array<double, 3> side = load_case(path).domain.max;
-  const std::array<int, 3> n = repeats(copies);
-  return load_case(path, {fmt::format("domain.max=[{}, {}, {}]", n[0] * side[0], n[1] * side[1], n[2] * side[2]),
-                          fmt::format("particles.0.count={}", copies * smallest)});
-}
 
 LinearPoint measure_size(const Case& c, int threads, int rounds) {
   omp_set_num_threads(threads);
@@ -75,15 +65,23 @@ double exponent_of(const std::vector<LinearPoint>& points) {
 
 }  // namespace
 
+Case vortex_case(int periods) {
+  const std::string path = (data_directory("bench") / "linear.toml").string();
+  const std::array<double, 3> side = load_case(path).domain.max;
+  const std::array<int, 3> n = repeats(periods);
+  return load_case(path, {fmt::format("domain.max=[{}, {}, {}]", n[0] * side[0], n[1] * side[1], n[2] * side[2]),
+                          fmt::format("particles.0.count={}", periods * vortex_particles)});
+}
+
 std::vector<LinearFigures> measure_linear(const std::vector<int>& threads, std::int64_t largest, int rounds) {
-  if (largest < sizes[1] * smallest)
+  if (largest < sizes[1] * vortex_particles)
     throw InputError(fmt::format("--particles {}: an exponent needs two sizes; the second has {} particles", largest,
-                                 sizes[1] * smallest));
+                                 sizes[1] * vortex_particles));
   std::vector<LinearFigures> all;
   for (const int t : threads) all.push_back({t, {}, 0});
   for (const int copies : sizes) {
-    if (copies * smallest > largest) break;
-    const Case c = enlarged_case(copies);
+    if (copies * vortex_particles > largest) break;
+    const Case c = vortex_case(copies);
     for (LinearFigures& f : all) {
       f.points.push_back(measure_size(c, f.threads, rounds));
       print_point(f.points.back(), f.threads);

@@ -6,7 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "scree/input/case.h"
+
 namespace scree {
+
+/// Particles in one period of the vortex.
+inline constexpr std::int64_t vortex_particles = 10000;
+
+/// The case of `periods` periods: as many vortices per particle, each of the same size.
+Case vortex_case(int periods);
 
 /// Run time of one size with one number of threads.
 struct LinearPoint {

@@ -85,6 +85,9 @@ Command declare_run(CLI::App& app, const RanksOfRun& processes) {
              "line goes on",
              options->wall_time, read_duration);
   add_option(*c, "--threads", "threads of each process [its share of the processors]", options->threads, read_count);
+  c->add_option(
+      "--device", options->device,
+      "where the steps are done: cpu, opencl (the first device that `scree info` lists), opencl:NUMBER [cpu]");
   c->add_flag("--quiet", options->quiet, "print nothing but errors");
   c->add_flag("--plot", *plot, "draw series.png and particles.png at the end");
   return {"run", [=] {
@@ -137,14 +140,17 @@ Command declare_verify(CLI::App& app) {
 Command declare_bench(CLI::App& app) {
   CLI::App* c = app.add_subcommand("bench", "Measure speed on the benchmark scenes, and how run time grows");
   auto options = std::make_shared<BenchOptions>();
-  c->add_option(
-      "names", options->names,
-      "dense, dilute, drum, silo, mix, ellipsoids, cylinders, boxes, exponents, shapes, linear [dense dilute]");
+  c->add_option("names", options->names,
+                "dense, dilute, drum, silo, mix, ellipsoids, cylinders, boxes, exponents, shapes, linear, gpu-spheres, "
+                "gpu-vortex [dense dilute]");
   add_option(*c, "--threads", "threads [1 and all]", options->threads, read_count);
-  add_option(*c, "--rounds", "measurements of which the median counts [5, linear 3]", options->rounds, read_count);
-  add_option(*c, "--particles", "linear: the largest size [1000000]", options->particles, read_count);
+  add_option(*c, "--rounds", "measurements of which the median counts [5; linear and on devices 3]", options->rounds,
+             read_count);
+  add_option(*c, "--particles", "linear, gpu-spheres, gpu-vortex: the largest size [1000000, 10000000]",
+             options->particles, read_count);
   c->add_option("--set", options->set, "change a key of the scenes: --set contact.detection=vertices (may be repeated)")
       ->allow_extra_args(false);
+  c->add_option("--device", options->device, "gpu-spheres, gpu-vortex: opencl, opencl:NUMBER [opencl]");
   c->add_option("--json", options->json, "also write the figures to this file");
   c->add_option("--packings", options->packings, "directory of the particle tables [the user's cache]");
   c->add_option("--plot", options->plot, "linear: draw run time over particles into this PNG");

@@ -9,6 +9,7 @@
 
 #include "scree/app/build_exchange.h"
 #include "scree/app/derived.h"
+#include "scree/app/device_run.h"
 #include "scree/app/fluid_run.h"
 #include "scree/app/memory_need.h"
 #include "scree/app/restart.h"
@@ -155,6 +156,14 @@ void refuse_on_ranks(const Case& c, const Ranks& ranks) {
   if (!build_outlets(c).empty() || !build_feeds(c).empty()) refuse("simulation.exchange_every", "feeds and outlets");
 }
 
+/// The device of the run; none on the CPU.
+std::optional<opencl::DeviceInfo> device_of(const Case& c, const RunOptions& options) {
+  if (options.device == "cpu") return {};
+  if (!options.ranks.alone()) throw InputError("--device: error[E190]: a run on a device is one process so far");
+  refuse_on_device(c);
+  return find_device(options.device);
+}
+
 /// The run as the root conducts it and as it is written.
 RunResult conduct(Simulation& simulation, const Beginning& beginning, const RunOptions& options,
                   WallClock::time_point begin, double end) {
@@ -200,6 +209,7 @@ RunResult run_case(const Case& c, const RunOptions& options) {
   const int threads = threads_of(options);
   omp_set_num_threads(threads);
   refuse_on_ranks(c, options.ranks);
+  const auto device = device_of(c, options);
   const Beginning beginning = find_beginning(c, options, end);
   announce(options, beginning, threads);
   if (options.ranks.root() && !options.quiet && !beginning.nothing_to_do && !beginning.archive)
@@ -208,6 +218,7 @@ RunResult run_case(const Case& c, const RunOptions& options) {
   if (const std::string refusal = memory_refusal(c, available_memory()); !refusal.empty()) throw ResourceError(refusal);
   Simulation simulation(c, threads, beginning.archive ? &*beginning.archive : nullptr, options.ranks);
   if (beginning.archive) simulation.restore(*beginning.archive);
+  if (device) simulation.use_device(*device);
   // The root writes into the directory when all have read what is there.
   options.ranks.all(true);
   if (!options.ranks.root()) return follow(simulation);

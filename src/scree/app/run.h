@@ -21,6 +21,7 @@ struct RunOptions {
   std::optional<double> wall_time;             // the run pauses before this much time has passed [s]
   Ranks ranks;                                 // that share the run
   Processors processors = processors_alone();  // of this rank
+  std::string device = "cpu";                  // cpu, opencl, opencl:NUMBER
   std::string restart;                         // checkpoint file, run directory or "latest" to continue from
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scree/app/derived.h"
+#include "scree/app/device_run.h"
 #include "scree/app/guard.h"
 #include "scree/app/models.h"
 #include "scree/app/take_over.h"
@@ -38,6 +39,7 @@ void Simulation::step() {
 // The table of contents of the program: what happens in a step, in order.
 void Simulation::advance() {
   const EffortMeter meter(effort_, ranks_);
+  if (device_) return advance_on_device();
   move_walls(clock_.now());
   exchange_particles();
   refresh_neighbours();
@@ -171,8 +173,8 @@ sc_contact_time Simulation::contact_time_now() const {
 
 const Sample& Simulation::sample() {
   if (sampled_step_ == clock_.step) return sample_;
-  // Of several ranks the root looks at the whole, with lists of its own.
-  const bool alone = ranks_.alone();
+  // Of several ranks, and of a device, one looks at the whole with lists of its own.
+  const bool alone = ranks_.alone() && !is_on_device();
   if (alone) {
     move_walls(clock_.now());
     refresh_neighbours();

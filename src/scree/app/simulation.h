@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,11 @@ struct Clock {
   void advance() { ++step; }
 };
 
+struct DeviceRun;
+namespace opencl {
+struct DeviceInfo;
+}
+
 /// What the root asks of the other ranks.
 enum class Call : std::int64_t { step, gather, report, dismiss };
 
@@ -49,6 +55,11 @@ class Simulation {
   /// Builds the initial state of a case. A run that goes on gives the archive that will be restored: what the case
   /// takes from another run's checkpoint is then not read again. Throws InputError if the case cannot be run.
   Simulation(const Case& c, Team team, const Archive* resumed = nullptr, const Ranks& ranks = {});
+  ~Simulation();
+
+  /// Steps from now on are done on a device. Throws InputError if the case has something that is not there yet on
+  /// devices, ResourceError if the device cannot be used.
+  void use_device(const opencl::DeviceInfo& info);
 
   /// Advances by one time step. Throws PhysicsError when the physics has gone wrong.
   void step();
@@ -97,6 +108,10 @@ class Simulation {
  private:
   void call(Call what) const;
   void advance();
+  void advance_on_device();
+  void settle_device();
+  void bring_back();
+  bool is_on_device() const;
   void gather();
   std::vector<Bytes> report() const;
   void settle();
@@ -140,7 +155,8 @@ class Simulation {
   StageSeconds stages_;
   Sample sample_;
   std::int64_t sampled_step_ = -1;
-  // At the root of several ranks: the run as a whole.
+  std::unique_ptr<DeviceRun> device_;
+  // Where system_ is not the run as a whole, at the root of several ranks or of a device: that.
   ParticleSystem whole_;
   std::int64_t whole_step_ = -1;
   HardStep hard_;

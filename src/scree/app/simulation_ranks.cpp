@@ -129,6 +129,11 @@ void Simulation::gather() {
 }
 
 const ParticleSystem& Simulation::whole() {
+  if (is_on_device()) {
+    settle_device();
+    if (whole_step_ != clock_.step) bring_back();
+    return whole_;
+  }
   if (ranks_.alone()) return system_;
   if (whole_step_ != clock_.step) {
     call(Call::gather);

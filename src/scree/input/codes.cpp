@@ -91,6 +91,8 @@ constexpr ErrorCode codes[] = {
      "libhypre-dev "
      "and "
      "an MPI, and build with -DSCREE_MPI=ON."},
+    {"E193", "not there yet on devices",
+     "The case needs something that runs on the CPU only so far. Run it without --device."},
 };
 
 }  // namespace

@@ -1,0 +1,219 @@
+#include "scree/app/bench_device.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "scree/app/bench_clock.h"
+#include "scree/app/bench_figures.h"
+#include "scree/app/bench_linear.h"
+#include "scree/app/build.h"
+#include "scree/app/data_files.h"
+#include "scree/app/device_run.h"
+#include "scree/app/simulation.h"
+#include "scree/input/load.h"
+
+namespace scree {
+namespace {
+
+constexpr std::array<int, 5> bed_tiles{1, 3, 10, 30, 100};      // side by side, of 100 000 particles each
+constexpr std::array<int, 4> vortex_periods{1, 10, 100, 1000};  // in all, of vortex_particles each
+constexpr int warm_steps = 60;
+
+/// The system repeated nx times along x and ny times along y.
+ParticleSystem tiled(const ParticleSystem& one, int nx, int ny) {
+  ParticleSystem out = one;
+  const double wide = one.domain.length(0), deep = one.domain.length(1);
+  const std::int64_t count = static_cast<std::int64_t>(one.particles.size());
+  out.domain.max[0] = one.domain.min[0] + nx * wide;
+  out.domain.max[1] = one.domain.min[1] + ny * deep;
+  for (int tile = 1; tile < nx * ny; ++tile) {
+    Particles copy = one.particles;
+    for (std::size_t i = 0; i < copy.size(); ++i) {
+      copy.motion.row(i)[lane::x] += tile % nx * wide;
+      copy.motion.row(i)[lane::y] += tile / nx * deep;
+      copy.id[i] += tile * count;
+    }
+    out.particles.append(copy);
+  }
+  return out;
+}
+
+/// Bytes per second of copying within the device.
+double copy_bandwidth(const opencl::Device& device) {
+  const std::size_t bytes = std::size_t{1} << 28;
+  opencl::DeviceBuffer from(device, bytes), to(device, bytes);
+  double best = 0;
+  for (int round = 0; round < 5; ++round) {
+    device.finish();
+    const double seconds = seconds_for([&] {
+      for (int k = 0; k < 4; ++k) to.copy_from(from, bytes);
+      device.finish();
+    });
+    best = std::max(best, 2.0 * 4.0 * static_cast<double>(bytes) / seconds);
+  }
+  return best;
+}
+
+/// What steps that follow each other are told.
+sc_move move_of(const Fields& fields, double dt) {
+  sc_move m{};
+  m.scheme = SC_LEAPFROG;
+  m.drag = fields.drag;
+  m.kick = m.drift = dt;
+  m.lag = 0.5 * dt;
+  m.gravity = fields.uniform;
+  return m;
+}
+
+/// What one particle-step has to move on a device: the particle's state both ways, its image, where it was listed,
+/// losses both ways; where fields act, works and impulses of both kinds, both ways; of every candidate its entry and
+/// its place, of every contact the rest of the partner's state, and its spring both ways. Both sides of a pair do this.
+double bytes_on_device(double candidates, double contacts, bool fields) {
+  constexpr double row = 32, state = 3 * row;
+  return 2 * state + row / 2 + row + 2 * row + (fields ? 6 * row : 0) + candidates * (4 + row) + contacts * (4 * row);
+}
+
+/// Steps on a device, one after the other with nothing between them.
+class DeviceSteps {
+ public:
+  DeviceSteps(const opencl::Device& device, const ParticleSystem& system, const Fields& fields, double dt)
+      : lists_(prepare_lists(system, 0)),
+        spheres_(device, system, lists_, fields, 1),
+        move_(move_of(fields, dt)),
+        time_{dt, 0.5 * dt, dt} {}
+
+  void run(int steps) {
+    for (int k = 0; k < steps; ++k) {
+      spheres_.step(move_, time_);
+      if (spheres_.is_full()) contacts_ += spheres_.settle().contacts;
+    }
+    contacts_ += spheres_.settle().contacts;
+  }
+
+  /// That acted, summed over the steps.
+  std::int64_t contacts() const { return contacts_; }
+  const DeviceSpheres& spheres() const { return spheres_; }
+
+ private:
+  ContactLists lists_;
+  DeviceSpheres spheres_;
+  sc_move move_;
+  sc_contact_time time_;
+  std::int64_t contacts_ = 0;
+};
+
+/// One system, warmed up, in rounds of steps.
+DeviceFigures measure_size(const opencl::Device& device, const ParticleSystem& system, const Fields& fields, double dt,
+                           int rounds, int round_steps) {
+  DeviceSteps steps(device, system, fields, dt);
+  steps.run(warm_steps);
+  const std::int64_t contacts_before = steps.contacts();
+  DeviceFigures f;
+  f.device = device.info().name;
+  f.particles = static_cast<std::int64_t>(system.particles.size());
+  f.steps = round_steps;
+  const double particle_steps = static_cast<double>(f.particles) * round_steps;
+  std::vector<double> rates;
+  for (int round = 0; round < rounds; ++round)
+    rates.push_back(particle_steps / seconds_for([&] { steps.run(round_steps); }));
+  f.rate = median(rates);
+  f.slowest = *std::min_element(rates.begin(), rates.end());
+  f.fastest = *std::max_element(rates.begin(), rates.end());
+  f.contacts = static_cast<double>(steps.contacts() - contacts_before) / (particle_steps * rounds);
+  f.bytes = bytes_on_device(steps.spheres().candidates(), 2 * f.contacts, act_locally(fields));
+  f.memory = static_cast<double>(steps.spheres().bytes()) / static_cast<double>(f.particles);
+  return f;
+}
+
+void print_figures(const DeviceFigures& f) {
+  fmt::print(
+      "{:<11} {:>9} particles {:>8.1f} M particle-steps/s ({:.1f} to {:.1f}), {:.4g} s for {} steps; {:.2f} contacts "
+      "per particle; {:.0f} bytes per particle-step, {:.0f} % of copying ({:.0f} GB/s); {:.0f} bytes of memory per "
+      "particle\n",
+      f.name, f.particles, 1e-6 * f.rate, 1e-6 * f.slowest, 1e-6 * f.fastest,
+      static_cast<double>(f.particles) * f.steps / f.rate, f.steps, f.contacts, f.bytes,
+      100 * f.rate * f.bytes / f.copy_bandwidth, 1e-9 * f.copy_bandwidth, f.memory);
+  std::fflush(stdout);
+}
+
+/// The tiled bed of 100 000 spheres.
+class Bed {
+ public:
+  explicit Bed(const BenchScene& scene)
+      : case_(load_case((data_directory("bench") / (scene.file + ".toml")).string(), scene.changes)),
+        fields_(build_fields(case_)),
+        one_(build_system(case_, fields_)) {}
+
+  std::int64_t particles(int tiles) const { return tiles * static_cast<std::int64_t>(one_.particles.size()); }
+
+  DeviceFigures measure(const opencl::Device& device, int tiles, int rounds) const {
+    const std::array<int, 3> n = repeats(tiles);
+    return measure_size(device, tiled(one_, n[0] * n[2], n[1]), fields_, *case_.simulation.time_step, rounds, 200);
+  }
+
+ private:
+  Case case_;
+  Fields fields_;
+  ParticleSystem one_;
+};
+
+/// Periods of the vortex of 10 000 cohesive spheres each. The largest box does as many steps as the report's run of ten
+/// million spheres.
+class Vortex {
+ public:
+  std::int64_t particles(int periods) const { return periods * vortex_particles; }
+
+  DeviceFigures measure(const opencl::Device& device, int periods, int rounds) const {
+    const Simulation start(vortex_case(periods), 1);
+    const bool largest = periods == vortex_periods.back();
+    return measure_size(device, start.system(), start.fields(), start.clock().dt, largest ? 1 : rounds,
+                        largest ? 10000 : 200);
+  }
+};
+
+template <class Scene, std::size_t Count>
+std::vector<DeviceFigures> measure_sizes(const Scene& scene, const char* name, const std::array<int, Count>& sizes,
+                                         const opencl::Device& device, std::int64_t largest, int rounds) {
+  const double bandwidth = copy_bandwidth(device);
+  std::vector<DeviceFigures> all;
+  for (const int size : sizes) {
+    if (scene.particles(size) > largest) break;
+    all.push_back(scene.measure(device, size, rounds));
+    all.back().name = name;
+    all.back().copy_bandwidth = bandwidth;
+    print_figures(all.back());
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<DeviceFigures> measure_bed_on_device(const BenchScene& scene, const std::string& name, std::int64_t largest,
+                                                 int rounds) {
+  return measure_sizes(Bed(scene), "gpu-spheres", bed_tiles, opencl::Device(find_device(name)), largest, rounds);
+}
+
+std::vector<DeviceFigures> measure_vortex_on_device(const std::string& name, std::int64_t largest, int rounds) {
+  return measure_sizes(Vortex(), "gpu-vortex", vortex_periods, opencl::Device(find_device(name)), largest, rounds);
+}
+
+nlohmann::json device_json(const DeviceFigures& f) {
+  return {{"benchmark", f.name},
+          {"device", f.device},
+          {"steps", f.steps},
+          {"particles", f.particles},
+          {"particle_steps_per_second", f.rate},
+          {"slowest_round", f.slowest},
+          {"fastest_round", f.fastest},
+          {"contacts_per_particle", f.contacts},
+          {"bytes_per_particle_step", f.bytes},
+          {"copy_bytes_per_second", f.copy_bandwidth},
+          {"memory_per_particle", f.memory}};
+}
+
+}  // namespace scree

@@ -1,0 +1,79 @@
+#include "scree/app/device_run.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "scree/base/error.h"
+#include "scree/input/located.h"
+
+namespace scree {
+namespace {
+
+std::string known_devices(const std::vector<opencl::DeviceInfo>& all) {
+  if (all.empty()) return fmt::format("there is none; tried: {}", fmt::join(opencl::library().tried, "; "));
+  std::string text = "there are";
+  for (std::size_t k = 0; k < all.size(); ++k) text += fmt::format("{} opencl:{} ({})", k ? "," : "", k, all[k].name);
+  return text;
+}
+
+[[noreturn]] void refuse(const Case& c, const std::string& key, const std::string& what) {
+  throw error_at(c, key,
+                 {"E193", {}, what + " not there yet on devices", "", "run the case without --device: the CPU has it"});
+}
+
+void refuse_particles(const Case& c) {
+  for (std::size_t k = 0; k < c.particles.size(); ++k) {
+    const ParticleKeys& group = c.particles[k];
+    const auto key = [&](const char* name) { return fmt::format("particles.{}.{}", k, name); };
+    if (group.shape != "sphere") refuse(c, key("shape"), "particles that are no spheres are");
+    if (group.motion == "prescribed") refuse(c, key("motion"), "bodies with a prescribed motion are");
+    if (group.insert == "rate") refuse(c, key("insert"), "particles that come in while the run goes on are");
+  }
+}
+
+void refuse_walls(const Case& c) {
+  for (std::size_t k = 0; k < c.walls.size(); ++k) {
+    const WallKeys& wall = c.walls[k];
+    const auto key = [&](const char* name) { return fmt::format("walls.{}.{}", k, name); };
+    if (wall.type != "plane") refuse(c, key("type"), "walls other than planes are");
+    if (wall.motion.type != "none") refuse(c, key("motion.type"), "walls that move are");
+    if (wall.from > 0) refuse(c, key("from"), "walls that come and go are");
+    if (wall.until) refuse(c, key("until"), "walls that come and go are");
+  }
+}
+
+}  // namespace
+
+opencl::DeviceInfo find_device(const std::string& name) {
+  const std::vector<opencl::DeviceInfo> all = opencl::devices();
+  std::size_t number = 0;
+  bool good = name == "opencl";
+  if (name.starts_with("opencl:")) {
+    const char *begin = name.data() + 7, *end = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(begin, end, number);
+    good = error == std::errc() && stop == end;
+  }
+  if (!good)
+    throw InputError(
+        fmt::format("--device {}: error[E190]: expected cpu, opencl, or opencl:NUMBER; {}", name, known_devices(all)));
+  if (number >= all.size())
+    throw InputError(fmt::format("--device {}: error[E190]: no such device; {}", name, known_devices(all)));
+  if (!all[number].fp64)
+    throw InputError(fmt::format("--device {}: error[E190]: {} has no double precision", name, all[number].name));
+  return all[number];
+}
+
+void refuse_on_device(const Case& c) {
+  refuse_particles(c);
+  refuse_walls(c);
+  if (is_hard(c)) refuse(c, "contact.collision", "hard collisions are");
+  if (!c.outlets.empty()) refuse(c, "outlets.0.type", "outlets are");
+  if (c.gravity.type != "none" && c.gravity.type != "uniform")
+    refuse(c, "gravity.type", "body forces other than uniform gravity are");
+  if (c.flow.type == "expression") refuse(c, "flow.type", "flows by formula are");
+  if (c.flow.buoyancy) refuse(c, "flow.buoyancy", "buoyancy is");
+  if (!c.analysis.planes.empty()) refuse(c, "analysis.planes.0.point", "counting planes are");
+}
+
+}  // namespace scree

@@ -1,0 +1,27 @@
+// A simulation whose particles are on a device.
+#pragma once
+
+#include <string>
+
+#include "scree/compute/opencl/device.h"
+#include "scree/input/case.h"
+#include "scree/particles/device/spheres.h"
+
+namespace scree {
+
+/// The device of a simulation, and the particles on it once they have been sent there.
+struct DeviceRun {
+  explicit DeviceRun(const opencl::DeviceInfo& info) : device(info) {}
+
+  opencl::Device device;
+  std::optional<DeviceSpheres> spheres;
+};
+
+/// The device that `--device` names: "opencl" is the first, "opencl:2" the third of those that `scree info` lists.
+/// Throws InputError if there is none of that name, with what was tried.
+opencl::DeviceInfo find_device(const std::string& name);
+
+/// Throws InputError at the key of the first thing in the case that runs on the CPU only so far.
+void refuse_on_device(const Case& c);
+
+}  // namespace scree

@@ -1,0 +1,99 @@
+// Lists of partners on a device, from particles that are sorted by cell.
+#include "scree/kernels/opencl/parameters.h"
+
+/// The cells that a particle's partners may be in along one axis: at most three, each once.
+typedef struct {
+  int first, count;
+} sc_span;
+
+SC_FN sc_span sc_span_of(int cell, int cells, int periodic) {
+  sc_span s;
+  if (cells <= 3 && periodic) {
+    s.first = 0;
+    s.count = cells;
+  } else if (periodic) {
+    s.first = cell - 1;
+    s.count = 3;
+  } else {
+    s.first = cell > 0 ? cell - 1 : 0;
+    s.count = (cell + 1 < cells ? cell + 1 : cells - 1) - s.first + 1;
+  }
+  return s;
+}
+
+SC_FN int sc_wrap_cell(int cell, int cells) { return cell < 0 ? cell + cells : (cell >= cells ? cell - cells : cell); }
+
+/// Lists all particles whose effect surfaces are nearer than `skin` to that of each, in the order of their ids; `most` gets
+/// the largest number. Where that is more than there is room for, the rest is left out.
+__kernel void sc_find_partners(const sc_box box, const sc_counts sizes, const real skin, __global const double4* motion,
+                               __global const real* excess, __global const long* id, __global const int* cell_first,
+                               __global int* counts, __global uint* partners, __global int* most) {
+  const size_t i = get_global_id(0);
+  const size_t n = (size_t)sizes.particles;
+  if (i >= n) return;
+  const double4 own = motion[2 * i];
+  const real own_mass = motion[2 * i + 1].w, reach = own.w + excess[i] + skin;
+  const int x = sc_cell_along(own.x, box.low[0], box.cell[0], box.cells[0]);
+  const int y = sc_cell_along(own.y, box.low[1], box.cell[1], box.cells[1]);
+  const int z = sc_cell_along(own.z, box.low[2], box.cell[2], box.cells[2]);
+  const sc_span sx = sc_span_of(x, box.cells[0], box.period[0] > R(0));
+  const sc_span sy = sc_span_of(y, box.cells[1], box.period[1] > R(0));
+  const sc_span sz = sc_span_of(z, box.cells[2], box.period[2] > R(0));
+  int count = 0;
+  for (int c = 0; c < sx.count * sy.count * sz.count; ++c) {
+    const int cx = sc_wrap_cell(sx.first + c % sx.count, box.cells[0]);
+    const int cy = sc_wrap_cell(sy.first + c / sx.count % sy.count, box.cells[1]);
+    const int cz = sc_wrap_cell(sz.first + c / (sx.count * sy.count), box.cells[2]);
+    const int cell = (cz * box.cells[1] + cy) * box.cells[0] + cx;
+    for (int j = cell_first[cell]; j < cell_first[cell + 1]; ++j) {
+      const double4 other = motion[2 * j];
+      const sc_vec d = sc_branch(box, own, other);
+      const real range = reach + other.w + excess[j];
+      if ((size_t)j == i || !(sc_dot(d, d) < range * range)) continue;
+      if (own_mass == R(0) && motion[2 * j + 1].w == R(0)) continue;
+      if (count < sizes.room) {
+        // Into the order of ids, by insertion: lists are short.
+        int to = count;
+        for (; to > 0 && id[partners[(size_t)(to - 1) * n + i]] > id[j]; --to)
+          partners[(size_t)to * n + i] = partners[(size_t)(to - 1) * n + i];
+        partners[(size_t)to * n + i] = (uint)j;
+      }
+      ++count;
+    }
+  }
+  counts[i] = count < sizes.room ? count : sizes.room;
+  atomic_max(most, count);
+}
+
+/// Gives the contacts that act their memory from the lists of before; `order` says where each particle was, `place` where
+/// each has gone. A contact that is on no list any more is noted in `lost`.
+__kernel void sc_carry_over(const int n, __global const int* order, __global const int* place,
+                            __global const int* old_counts, __global const uint* old_partners,
+                            __global const double4* old_slides, __global const double4* old_rolls, __global const int* counts,
+                            __global uint* partners, __global double4* slides, __global double4* rolls, __global int* lost) {
+  const size_t i = get_global_id(0);
+  if (i >= (size_t)n) return;
+  const size_t was = (size_t)order[i];
+  for (int k = 0; k < old_counts[was]; ++k) {
+    const size_t from = (size_t)k * (size_t)n + was;
+    const uint entry = old_partners[from];
+    if (entry >> SC_CODE_SHIFT == 0u) continue;
+    const uint partner = (uint)place[entry & SC_PARTNER];
+    int to = 0;
+    while (to < counts[i] && (partners[(size_t)to * (size_t)n + i] & SC_PARTNER) != partner) ++to;
+    if (to == counts[i]) {
+      atomic_inc(lost);
+      continue;
+    }
+    const size_t slot = (size_t)to * (size_t)n + i;
+    partners[slot] = partner | (entry & ~SC_PARTNER);
+    slides[slot] = old_slides[from];
+    if (SC_ROLLS) rolls[slot] = old_rolls[from];
+  }
+}
+
+/// Notes where everybody is when lists are made.
+__kernel void sc_note_places(const int n, __global const double4* motion, __global double4* listed) {
+  const size_t i = get_global_id(0);
+  if (i < (size_t)n) listed[i] = motion[2 * i];
+}

@@ -1,0 +1,69 @@
+// What the kernels on a device are told, by value, and what they report: the same layout for host and device.
+#ifndef SCREE_KERNELS_OPENCL_PARAMETERS_H
+#define SCREE_KERNELS_OPENCL_PARAMETERS_H
+
+#include "scree/kernels/move_sphere.h"
+#include "scree/physics/contact/contact.h"
+
+#if defined(__OPENCL_VERSION__) || defined(SCREE_DEVICE)
+typedef long sc_count;
+#else
+typedef long long sc_count;
+#endif
+
+/// The flow in which particles are.
+enum { SC_FLOW_NONE = 0, SC_FLOW_UNIFORM = 1, SC_FLOW_TAYLOR_GREEN = 2, SC_FLOW_SHEAR = 3 };
+
+typedef struct {
+  int kind;           // SC_FLOW_...
+  int unused;         // keeps what follows aligned
+  sc_vec stream;      // [m/s]
+  real amplitude;     // [m/s]
+  real wavenumber;    // [1/m]
+  real shear_rate;    // [1/s]
+  real shear_origin;  // [m]
+} sc_flow;
+
+/// The box, and the cells that particles are sorted into.
+typedef struct {
+  real low[3], high[3];
+  real period[3], half_period[3];  // 0 and infinite where the box is not periodic
+  real cell[3];                    // width of a cell [m]
+  int cells[3];                    // along each axis
+  int unused;
+} sc_box;
+
+/// How many there are.
+typedef struct {
+  int particles, room;  // room: contacts that a particle has place for
+  int materials, walls;
+} sc_counts;
+
+/// The constants of a step.
+typedef struct {
+  sc_box box;
+  sc_move move;
+  sc_contact_time time;
+  sc_flow flow;
+  sc_counts counts;
+  real margin;        // how far apart bodies may be and still act on each other [m]
+  real stale_square;  // lists hold while nobody has gone further than the root of this [m2]
+  real max_overlap;   // over the smaller radius; a deeper one halts
+  int fields;         // forces of fields act
+  int book_gravity;   // book the angular impulse of uniform gravity
+} sc_device_step;
+
+/// What one group of work items has found: of the last step, and of all since the host has asked.
+typedef struct {
+  real fastest_square;                       // last step [m2/s2]
+  real deepest;                              // last step: largest overlap over the smaller radius
+  sc_count contacts, wall_contacts;          // last step
+  sc_count all_contacts, all_wall_contacts;  // summed over steps
+  sc_count impacts, impact_speed;            // summed over steps; speeds in SC_SPEED_QUANTUM
+  int unsound, outside;                      // in some step: a speed that is no number, a particle out of the box
+} sc_findings;
+
+/// Measured speeds are summed as integers, so that the sum does not depend on the order [m/s].
+#define SC_SPEED_QUANTUM R(9.094947017729282e-13)
+
+#endif

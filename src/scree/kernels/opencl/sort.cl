@@ -1,0 +1,91 @@
+// Sorting particles by cell on a device: counting sort with prefix sums, by id within a cell, so that the order does not
+// depend on which item comes first.
+#include "scree/kernels/opencl/parameters.h"
+
+/// Numbers that one item, and one group, adds up in a scan.
+#define SC_SCAN_OWN 16
+#define SC_SCAN_BLOCK (SC_GROUP * SC_SCAN_OWN)
+
+SC_FN int sc_cell_along(real x, real low, real width, int cells) {
+  const int c = (int)((x - low) / width);
+  return c < 0 ? 0 : (c >= cells ? cells - 1 : c);
+}
+
+/// The cell of each particle, and how many each cell has; `sizes` must be zero.
+__kernel void sc_count_cells(const sc_box box, const int n, __global const double4* motion, __global int* cell_of,
+                             __global int* sizes) {
+  const size_t i = get_global_id(0);
+  if (i >= (size_t)n) return;
+  const double4 x = motion[2 * i];
+  const int cx = sc_cell_along(x.x, box.low[0], box.cell[0], box.cells[0]);
+  const int cy = sc_cell_along(x.y, box.low[1], box.cell[1], box.cells[1]);
+  const int cz = sc_cell_along(x.z, box.low[2], box.cell[2], box.cells[2]);
+  const int cell = (cz * box.cells[1] + cy) * box.cells[0] + cx;
+  cell_of[i] = cell;
+  atomic_inc(sizes + cell);
+}
+
+/// Replaces the numbers of each block by the sums of those before them in it; leaves each block's sum in `sums`.
+__kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_scan_blocks(const int n, __global int* values,
+                                                                                  __global int* sums) {
+  __local int totals[SC_GROUP];
+  const int item = (int)get_local_id(0);
+  const int begin = (int)get_group_id(0) * SC_SCAN_BLOCK + item * SC_SCAN_OWN;
+  int own = 0;
+  for (int k = begin; k < begin + SC_SCAN_OWN && k < n; ++k) own += values[k];
+  totals[item] = own;
+  barrier(CLK_LOCAL_MEM_FENCE);
+  for (int step = 1; step < SC_GROUP; step *= 2) {
+    const int before = item >= step ? totals[item - step] : 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    totals[item] += before;
+    barrier(CLK_LOCAL_MEM_FENCE);
+  }
+  int sum = totals[item] - own;
+  for (int k = begin; k < begin + SC_SCAN_OWN && k < n; ++k) {
+    const int value = values[k];
+    values[k] = sum;
+    sum += value;
+  }
+  if (item == SC_GROUP - 1) sums[get_group_id(0)] = totals[item];
+}
+
+/// Adds to each block the sum of those before it.
+__kernel void sc_add_blocks(const int n, __global int* values, __global const int* sums) {
+  const size_t i = get_global_id(0);
+  if (i < (size_t)n) values[i] += sums[i / SC_SCAN_BLOCK];
+}
+
+/// Puts particles into their cells, in any order; `cursor` begins as the first place of each cell.
+__kernel void sc_scatter(const int n, __global const int* cell_of, __global int* cursor, __global int* order) {
+  const size_t i = get_global_id(0);
+  if (i < (size_t)n) order[atomic_inc(cursor + cell_of[i])] = (int)i;
+}
+
+/// Puts the particles of each cell in the order of their ids.
+__kernel void sc_sort_cells(const int cells, __global const int* first, __global const long* id, __global int* order) {
+  const size_t c = get_global_id(0);
+  if (c >= (size_t)cells) return;
+  for (int k = first[c] + 1; k < first[c + 1]; ++k) {
+    const int moving = order[k];
+    const long key = id[moving];
+    int to = k;
+    for (; to > first[c] && id[order[to - 1]] > key; --to) order[to] = order[to - 1];
+    order[to] = moving;
+  }
+}
+
+/// Where each particle has gone.
+__kernel void sc_invert(const int n, __global const int* order, __global int* place) {
+  const size_t i = get_global_id(0);
+  if (i < (size_t)n) place[order[i]] = (int)i;
+}
+
+/// Puts n rows of `words` 32-bit words in order, those that follow `part` times as many.
+__kernel void sc_permute(const int n, const int words, const int part, __global const int* order,
+                         __global const uint* from, __global uint* to) {
+  const size_t w = get_global_id(0);
+  if (w >= (size_t)n * (size_t)words) return;
+  const size_t row = (size_t)part * (size_t)n + (size_t)order[w / (size_t)words];
+  to[w] = from[row * (size_t)words + w % (size_t)words];
+}

@@ -1,0 +1,107 @@
+// Spheres on an OpenCL device: they stay there from step to step, with their contacts and their books.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "scree/compute/opencl/device.h"
+#include "scree/kernels/opencl/parameters.h"
+#include "scree/particles/fields.h"
+#include "scree/particles/system.h"
+
+namespace scree {
+
+/// What steps on a device have found since they were last asked for.
+struct DeviceFindings {
+  SweepFindings last;                                                           // of the last step
+  std::int64_t contacts = 0, wall_contacts = 0, impacts = 0, impact_speed = 0;  // summed over the steps
+  std::int64_t steps = 0;                                                       // done
+  std::int64_t undone = 0;  // steps given that were not done, because one before them went wrong
+};
+
+/// The engine of a system of spheres on a device. It gives the same bits as the CPU's: the physics is the same text,
+/// and sums go in the order of ids.
+class DeviceSpheres {
+ public:
+  /// Compiles the kernels for the laws of the system, checks them against the host's numbers and sends the system's
+  /// particles and contacts to the device. `max_overlap` stops the run. Throws ResourceError.
+  DeviceSpheres(const opencl::Device& device, const ParticleSystem& system, const ContactLists& lists,
+                const Fields& fields, double max_overlap);
+
+  /// Gives a step to the device; it may be done later.
+  void step(const sc_move& move, const sc_contact_time& time);
+
+  /// True if so many steps are waiting that settle() is due.
+  bool is_full() const { return given_.size() >= most_given; }
+
+  /// Waits for the steps given.
+  DeviceFindings settle();
+
+  /// Brings particles and contacts back; the rest of `whole` is taken from `system`. All steps must be settled.
+  void bring_back(const ParticleSystem& system, ParticleSystem& whole) const;
+
+  /// Listed partners of a particle, on average.
+  double candidates() const;
+
+  /// Memory of the device in use [bytes].
+  std::size_t bytes() const;
+
+ private:
+  static constexpr std::size_t most_given = 32;
+
+  struct Lists {
+    int room = 0;
+    opencl::DeviceBuffer counts, partners, slides, rolls;
+  };
+  struct Given {
+    sc_move move;
+    sc_contact_time time;
+  };
+
+  void check_kernels();
+  void check_sums();
+  void check_law();
+  void send_particles(const Particles& particles);
+  void send_contacts(const ParticleSystem& system);
+  void send_walls(const ParticleSystem& system);
+  Lists make_room(int room) const;
+  void make_lists();
+  void sort_particles();
+  void permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t part = 0);
+  void scan(opencl::DeviceBuffer& values, int count);
+  void find_partners();
+  void fit_cells();
+  void adapt_skin();
+  void launch(const Given& given, int number);
+  void add_findings(DeviceFindings& to);
+  sc_counts counts() const;
+  std::size_t groups() const;
+
+  const opencl::Device& device_;
+  opencl::Program program_;
+  sc_laws laws_of_run_;
+  sc_pair_law first_law_;  // of the first material with itself
+  bool rolls_;
+  std::size_t n_;
+  int materials_;
+  std::size_t walls_;
+  sc_device_step constants_{};
+  double range_ = 0;   // two bodies whose centres are further apart are not listed, skin left out [m]
+  double beyond_ = 0;  // how far bodies act beyond their effect surfaces [m]
+  double skin_, shortest_skin_, longest_skin_;  // [m]
+  bool adapts_;
+  std::map<std::string_view, opencl::DeviceBuffer> columns_;  // of Particles, by name, motion and spin left out
+  std::map<std::string_view, std::size_t> row_bytes_;
+  opencl::DeviceBuffer motion_[2], spin_[2];  // the present state, and the next
+  int now_ = 0;                               // which of them is the present one
+  opencl::DeviceBuffer listed_, laws_, wall_faces_, wall_poses_, wall_codes_, wall_slides_, wall_rolls_;
+  opencl::DeviceBuffer cell_of_, cell_first_, cursor_, order_, place_, scratch_, found_, stale_, counters_;
+  Lists lists_, fresh_;
+  std::vector<Given> given_;
+  std::int64_t steps_listed_ = 0;  // since the lists were made
+  bool listed_already_ = false;
+};
+
+}  // namespace scree

@@ -1,0 +1,122 @@
+// Spheres on a device: putting them in the order of their cells, and finding partners.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "scree/particles/device/spheres.h"
+
+namespace scree {
+namespace {
+
+constexpr std::size_t group = 128;              // items of a group
+constexpr std::size_t scan_block = 16 * group;  // SC_SCAN_BLOCK
+constexpr std::int64_t most_cells = std::int64_t{1} << 30;
+
+}  // namespace
+
+/// Cells as wide as bodies reach, but not many more than there are particles.
+void DeviceSpheres::fit_cells() {
+  sc_box& box = constants_.box;
+  double width = range_ + skin_;
+  for (;; width *= 1.26) {
+    double cells = 1;
+    for (int k = 0; k < 3; ++k) {
+      const double length = box.high[k] - box.low[k];
+      box.cells[k] = static_cast<int>(std::clamp(std::floor(length / width), 1.0, 1e6));
+      box.cell[k] = length / box.cells[k];
+      cells *= box.cells[k];
+    }
+    if (cells <= std::min(4.0 * static_cast<double>(n_) + 64, static_cast<double>(most_cells))) return;
+  }
+}
+
+/// Replaces numbers by the sums of those before them.
+void DeviceSpheres::scan(opencl::DeviceBuffer& values, int count) {
+  const int blocks = static_cast<int>((static_cast<std::size_t>(count) + scan_block - 1) / scan_block);
+  opencl::DeviceBuffer sums(device_, static_cast<std::size_t>(blocks) * sizeof(std::int32_t));
+  program_.run("sc_scan_blocks", static_cast<std::size_t>(blocks) * group, group, count, values, sums);
+  if (blocks == 1) return;
+  scan(sums, blocks);
+  program_.run("sc_add_blocks", static_cast<std::size_t>(count), group, count, values, sums);
+}
+
+/// Puts the rows of one part of a buffer in order.
+void DeviceSpheres::permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t part) {
+  const std::size_t words = row_bytes / sizeof(std::uint32_t);
+  program_.run("sc_permute", n_ * words, group, static_cast<int>(n_), static_cast<int>(words), static_cast<int>(part),
+               order_, rows, scratch_);
+  rows.copy_from(scratch_, n_ * row_bytes, part * n_ * row_bytes);
+}
+
+void DeviceSpheres::sort_particles() {
+  fit_cells();
+  const sc_box& box = constants_.box;
+  const int n = static_cast<int>(n_), cells = box.cells[0] * box.cells[1] * box.cells[2];
+  const std::size_t bytes = (static_cast<std::size_t>(cells) + 1) * sizeof(std::int32_t);
+  if (cell_first_.bytes() < bytes) {
+    cell_first_ = opencl::DeviceBuffer(device_, bytes);
+    cursor_ = opencl::DeviceBuffer(device_, bytes);
+  }
+  cell_first_.clear();
+  program_.run("sc_count_cells", n_, group, box, n, motion_[now_], cell_of_, cell_first_);
+  scan(cell_first_, cells + 1);
+  cursor_.copy_from(cell_first_, bytes);
+  program_.run("sc_scatter", n_, group, n, cell_of_, cursor_, order_);
+  program_.run("sc_sort_cells", static_cast<std::size_t>(cells), group, cells, cell_first_, columns_.at("id"), order_);
+  program_.run("sc_invert", n_, group, n, order_, place_);
+  // The state of the next step is free to take the rows in their new order.
+  for (auto* both : {motion_, spin_}) {
+    const std::size_t words = both[0].bytes() / n_ / sizeof(std::uint32_t);
+    program_.run("sc_permute", n_ * words, group, n, static_cast<int>(words), 0, order_, both[now_], both[1 - now_]);
+  }
+  now_ = 1 - now_;
+  for (auto& [name, column] : columns_) permute(column, row_bytes_.at(name));
+  for (std::size_t w = 0; w < walls_; ++w) {
+    permute(wall_codes_, sizeof(std::uint32_t), w);
+    permute(wall_slides_, 4 * sizeof(double), w);
+    if (rolls_) permute(wall_rolls_, 4 * sizeof(double), w);
+  }
+}
+
+/// A list that lasts long costs candidates that do not touch, a short one costs making: hold the balance.
+void DeviceSpheres::adapt_skin() {
+  if (!adapts_ || steps_listed_ == 0) return;
+  if (steps_listed_ < 20) skin_ *= 1.3;
+  if (steps_listed_ > 80) skin_ /= 1.2;
+  skin_ = std::clamp(skin_, shortest_skin_, longest_skin_);
+}
+
+void DeviceSpheres::find_partners() {
+  const int none[2] = {0, 0};
+  for (;;) {
+    counters_.write(none, sizeof none);
+    sc_counts sizes = counts();
+    sizes.room = fresh_.room;
+    program_.run("sc_find_partners", n_, group, constants_.box, sizes, skin_ + beyond_, motion_[now_],
+                 columns_.at("effect_excess"), columns_.at("id"), cell_first_, fresh_.counts, fresh_.partners,
+                 counters_);
+    const int most = counters_.values<std::int32_t>(1)[0];
+    if (most <= fresh_.room) return;
+    fresh_ = make_room(most + most / 8 + 1);
+  }
+}
+
+void DeviceSpheres::make_lists() {
+  adapt_skin();
+  sort_particles();
+  find_partners();
+  const int n = static_cast<int>(n_);
+  const opencl::DeviceBuffer& lost = counters_;
+  const int none[2] = {0, 0};
+  counters_.write(none, sizeof none);
+  program_.run("sc_carry_over", n_, group, n, order_, place_, lists_.counts, lists_.partners, lists_.slides,
+               lists_.rolls, fresh_.counts, fresh_.partners, fresh_.slides, fresh_.rolls, lost);
+  program_.run("sc_note_places", n_, group, n, motion_[now_], listed_);
+  if (lost.values<std::int32_t>(1)[0] != 0) throw std::logic_error("a contact that acts is on no list of the device");
+  std::swap(lists_, fresh_);
+  if (fresh_.room < lists_.room) fresh_ = make_room(lists_.room);
+  steps_listed_ = 0;
+  listed_already_ = true;
+}
+
+}  // namespace scree

@@ -1,0 +1,96 @@
+"""Runs on a simulated OpenCL device. usage: device_test.py PROGRAM OCLGRIND"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
+OCLGRIND = sys.argv.pop(1)
+
+# What Oclgrind's compiler makes of its best optimisation it cannot run itself. The simulator's own leaks are not for the
+# sanitizer of this program to tell.
+SIMULATOR = {"OCL_ICD_VENDORS": OCLGRIND, "OCLGRIND_DATA_RACES": "1", "OCLGRIND_UNIFORM_WRITES": "1",
+             "OCLGRIND_CHECK_API": "1", "OCLGRIND_BUILD_OPTIONS": "-cl-opt-disable", "OMP_WAIT_POLICY": "passive",
+             "ASAN_OPTIONS": "detect_leaks=0"}
+
+# So crowded that cells hold several, and so fast that lists are made again and again.
+CROWD = """
+[simulation]
+end = "18 us"
+time_step = "2 us"
+skin = "0.02 mm"
+[domain]
+min = [0, 0, 0]
+max = ["8 mm", "8 mm", "8 mm"]
+periodic = [true, true, false]
+[contact]
+normal = "hertz"
+tangential = "mindlin"
+[[materials]]
+name = "grain"
+density = "2500 kg/m3"
+young = "25 MPa"
+poisson = 0.3
+restitution = 0.8
+friction = 0.5
+[[particles]]
+name = "bed"
+material = "grain"
+insert = "random"
+count = 70
+diameter = { distribution = "uniform", min = "0.8 mm", max = "2.4 mm" }
+velocity = {type = "random", deviation = 2}
+[[walls]]
+name = "floor"
+type = "plane"
+material = "grain"
+point = [0, 0, 0]
+normal = [0, 0, 1]
+"""
+
+
+class Devices(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.work = pathlib.Path(directory.name)
+        (self.work / "crowd.toml").write_text(CROWD)
+
+    def scree(self, *arguments, **environment):
+        return subprocess.run([PROGRAM, *arguments], cwd=self.work, env=os.environ | SIMULATOR | environment,
+                              capture_output=True, text=True)
+
+    def run_on(self, device):
+        result = self.scree("run", "crowd.toml", "-o", device.replace(":", "_"), "--device", device, "--quiet")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        # Whatever the simulator has to say it says there.
+        self.assertEqual(result.stderr + result.stdout, "")
+        return json.loads((self.work / device.replace(":", "_") / "summary.json").read_text())
+
+    def test_kernels_neither_race_nor_leave_their_buffers(self):
+        alone, device = self.run_on("cpu"), self.run_on("opencl:0")
+        self.assertGreater(alone["contacts"], 20)
+        for key in ("state_hash", "contacts", "wall_contacts", "ledger"):
+            self.assertEqual(device[key], alone[key], key)
+        self.assertIn("device", device["stages"])
+        self.assertNotIn("device", alone["stages"])
+
+    def test_info_lists_devices_and_what_was_tried(self):
+        self.assertIn("device opencl:0    Oclgrind", self.scree("info").stdout)
+        none = self.scree("info", OCL_ICD_VENDORS=str(self.work)).stdout
+        self.assertNotIn("opencl:0", none)
+        self.assertIn("knows no platform", none)
+
+    def test_without_devices_a_run_says_what_was_tried(self):
+        result = self.scree("run", "crowd.toml", "--device", "opencl", OCL_ICD_VENDORS=str(self.work))
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("libOpenCL.so.1: knows no platform", result.stderr)
+        self.assertFalse((self.work / "runs").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

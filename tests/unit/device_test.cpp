@@ -1,0 +1,212 @@
+// Spheres on an OpenCL device: the same bits as on the CPU. Needs a device with double precision; PoCL is one.
+#include <gtest/gtest.h>
+
+#include "engine_cases.h"
+#include "scree/app/device_run.h"
+#include "scree/base/error.h"
+
+/// What OpenCL libraries and their compilers never free is not for the sanitizer of this program to tell.
+extern "C" int __lsan_is_turned_off() { return 1; }
+
+namespace scree {
+namespace {
+
+using namespace test;
+
+/// Particles of two materials and of many sizes between two planes, periodic sideways, one of them fixed.
+std::string slab(const LawChoice& laws, const std::string& more = "") {
+  return "[simulation]\nend = 10\ntime_step = 2e-5\nmax_overlap = 0.9\n"
+         "[domain]\nmin = [0, 0, -0.001]\nmax = [0.024, 0.024, 0.031]\nperiodic = [true, true, false]\n"
+         "[contact]\n" +
+         laws.contact + material_text(laws, "glass", 2000, 0.8) + material_text(laws, "rubber", 1000, 0.5) +
+         "[[particles]]\nname = \"anchor\"\nmaterial = \"rubber\"\ninsert = \"positions\"\ndiameter = 3.5e-3\n"
+         "positions = [[0.012, 0.012, 0.0295]]\nmotion = \"fixed\"\n"
+         "[[particles]]\nname = \"grains\"\nmaterial = \"glass\"\ninsert = \"random\"\ncount = 90\n"
+         "region_min = [0, 0, 0]\nregion_max = [0.024, 0.024, 0.03]\n"
+         "diameter = { distribution = \"uniform\", min = 3e-3, max = 6e-3 }\n"
+         "effect_gap = 2e-4\nangular_velocity = [10, -20, 5]\nvelocity = { type = \"random\", deviation = 0.5 }\n"
+         "[[walls]]\nname = \"floor\"\ntype = \"plane\"\nmaterial = \"rubber\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n"
+         "[[walls]]\nname = \"lid\"\ntype = \"plane\"\nmaterial = \"glass\"\npoint = [0, 0, 0.03]\nnormal = [0, 0, "
+         "-1]\n" +
+         more;
+}
+
+const char* const gravity = "[gravity]\ntype = \"uniform\"\nacceleration = [0.3, 0, -9.81]\n";
+
+const char* const rough_laws =
+    "normal = \"linear\"\ntangential = \"history\"\nrolling = \"spring\"\ntwisting = \"spring\"\n";
+const char* const rough_material =
+    "friction = 0.5\nfriction_sliding = 0.3\nrolling_friction = 0.1\ntwisting_friction = 0.1\n";
+
+opencl::DeviceInfo first_device() {
+  const auto all = opencl::devices();
+  if (all.empty()) throw std::runtime_error("these tests need an OpenCL device: install pocl-opencl-icd");
+  return all.front();
+}
+
+/// All that a run tells, books included.
+struct Told {
+  Outcome outcome;
+  std::int64_t wall_contacts;
+  std::vector<double> books;
+  bool operator==(const Told&) const = default;
+};
+
+Told told_by(Simulation& s) {
+  Told out{
+      {s.state_hash(), s.tally().contacts, s.tally().impacts, s.tally().impact_speed}, s.tally().wall_contacts, {}};
+  const Particles& p = s.whole().particles;
+  for (const std::uint32_t i : order_by_id(p)) {
+    for (const auto* column : {&p.loss, &p.work, &p.impulse, &p.angular_impulse})
+      for (int k = 0; k < 4; ++k) out.books.push_back(column->row(i)[k] + 0.0);  // -0 is 0
+    for (int k = 0; k < 3; ++k) out.books.push_back(p.image.row(i)[k]);
+  }
+  return out;
+}
+
+Told told_on_cpu(const Case& c, int steps) {
+  Simulation s(c, 1);
+  advance(s, steps);
+  return told_by(s);
+}
+
+Told told_on_device(const Case& c, int steps) {
+  Simulation s(c, 1);
+  s.use_device(first_device());
+  advance(s, steps);
+  return told_by(s);
+}
+
+void expect_the_same(const std::string& text, int steps, const Overrides& overrides = {}) {
+  const Case c = case_of(text, overrides);
+  const Told truth = told_on_cpu(c, steps);
+  EXPECT_GT(truth.outcome.contacts, steps) << "the test tests little";
+  const Told device = told_on_device(c, steps);
+  EXPECT_EQ(device.outcome, truth.outcome);
+  EXPECT_EQ(device.wall_contacts, truth.wall_contacts);
+  EXPECT_EQ(device.books, truth.books);
+}
+
+TEST(Device, HasTheBitsOfTheCpuForARoughCrowd) {
+  expect_the_same(slab({"rough", rough_laws, rough_material}, gravity), 1500);
+}
+
+TEST(Device, HasTheBitsOfTheCpuForHertzianSpheres) {
+  expect_the_same(slab({"hertz", "normal = \"hertz\"\ntangential = \"mindlin\"\n", "friction = 0.5\n", true}, gravity),
+                  1000);
+}
+
+TEST(Device, HasTheBitsOfTheCpuForNecks) {
+  expect_the_same(slab({"jkr", "normal = \"hertz\"\ntangential = \"mindlin_stretch\"\ncohesion = \"jkr\"\n",
+                        "friction = 0.5\nadhesion = 0.5\n", true}),
+                  1000);
+}
+
+TEST(Device, HasTheBitsOfTheCpuForCohesiveSpheresInAVortex) {
+  for (const char* more : {"flow.drag=\"stokes\"", "simulation.integrator=\"implicit\""})
+    expect_the_same(slab({"cohesive", "tangential = \"collision_spring_damped\"\ncohesion = \"linear\"\n",
+                          "friction = 0.3\ncohesion_stiffness = 20\n"},
+                         "[flow]\ntype = \"taylor_green\"\namplitude = 1.0\nwavenumber = 261.79938779914943\n"
+                         "density = 1.2\nviscosity = 1.8e-5\ndrag = \"schiller_naumann\"\n"),
+                    400, {more});
+}
+
+TEST(Device, DoesNotDependOnTheMarginOfItsLists) {
+  const std::string text = slab({"rough", rough_laws, rough_material}, gravity);
+  const Told truth = told_on_cpu(case_of(text), 300);
+  // So narrow that lists last for a step or two: most steps are given ahead in vain.
+  for (const char* skin : {"simulation.skin=2e-5", "simulation.skin=2e-3"})
+    EXPECT_EQ(told_on_device(case_of(text, {skin}), 300), truth) << skin;
+}
+
+TEST(Device, FillsABoxOfFewCells) {
+  // Two or three cells along a periodic axis: everybody is a neighbour from both sides, once.
+  expect_the_same(slab({"rough", rough_laws, rough_material}, gravity), 200, {"simulation.skin=2.5e-3"});
+}
+
+TEST(Device, GoesOnFromTheCpuAndBack) {
+  const Case c = case_of(slab({"rough", rough_laws, rough_material}, gravity));
+  const Told truth = told_on_cpu(c, 600);
+  Simulation first(c, 1);
+  advance(first, 200);
+  const Archive started = first.save();
+  Simulation second(c, 1, &started);
+  second.restore(started);
+  second.use_device(first_device());
+  advance(second, 200);
+  const Archive carried = second.save();
+  Simulation third(c, 1, &carried);
+  third.restore(carried);
+  advance(third, 200);
+  EXPECT_EQ(told_by(third), truth);
+}
+
+TEST(Device, StopsWhereTheCpuStopsAndSaysTheSame) {
+  const Case c = case_of(slab({"rough", rough_laws, rough_material}, gravity), {"simulation.max_overlap=0.04"});
+  const auto failure = [&](bool on_device) {
+    Simulation s(c, 1);
+    if (on_device) s.use_device(first_device());
+    try {
+      advance(s, 2000);
+      s.whole();
+    } catch (const PhysicsError& error) {
+      return std::pair(std::string(error.what()), s.clock().step);
+    }
+    return std::pair(std::string("nothing went wrong"), std::int64_t{0});
+  };
+  const auto on_cpu = failure(false);
+  EXPECT_NE(on_cpu.first.find("overlap"), std::string::npos) << on_cpu.first;
+  EXPECT_EQ(failure(true), on_cpu);
+}
+
+TEST(Device, RefusesByNameWhatItDoesNotHave) {
+  const std::string good = slab({"rough", rough_laws, rough_material}, gravity);
+  const auto refused = [&](const std::string& more) {
+    try {
+      refuse_on_device(case_of(good + more));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused(""), "");
+  const std::pair<const char*, const char*> cases[] = {
+      {"[[walls]]\nname = \"b\"\ntype = \"box\"\nmaterial = \"glass\"\nmin = [0, 0, 0]\nmax = [0.024, 0.024, 0.03]\n",
+       "walls other than planes"},
+      {"[flow]\ntype = \"still\"\ndensity = 1.2\nviscosity = 1.8e-5\ndrag = \"stokes\"\nbuoyancy = true\n", "buoyancy"},
+      {"[[outlets]]\nname = \"o\"\ntype = \"face\"\nface = \"z_max\"\n", "outlets"},
+      {"[[analysis.planes]]\nname = \"p\"\npoint = [0, 0, 0.01]\nnormal = [0, 0, 1]\n", "counting planes"}};
+  for (const auto& [more, what] : cases) {
+    EXPECT_NE(refused(more).find("E193"), std::string::npos) << more;
+    EXPECT_NE(refused(more).find(what), std::string::npos) << refused(more);
+  }
+}
+
+TEST(Device, NamesThoseThatThereAre) {
+  const auto message = [](const char* name) {
+    try {
+      find_device(name);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message("opencl"), "");
+  for (const char* wrong : {"gpu", "opencl:", "opencl:x", "opencl:99"})
+    EXPECT_NE(message(wrong).find("opencl:0 (" + first_device().name), std::string::npos) << message(wrong);
+}
+
+TEST(Device, ShowsWhatItsCompilerSays) {
+  const opencl::Device device(first_device());
+  try {
+    opencl::Program(device, "__kernel void broken(__global int* a) { a[0] = nobody; }\n",
+                    "-cl-std=CL1.2 -DSC_CHOSEN=7");
+    ADD_FAILURE() << "it compiled";
+  } catch (const ResourceError& error) {
+    EXPECT_NE(std::string(error.what()).find("nobody"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("-DSC_CHOSEN=7"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace scree
