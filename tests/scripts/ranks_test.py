@@ -1,5 +1,6 @@
 """Runs on several processes. usage: ranks_test.py PROGRAM MPIEXEC"""
 
+import csv
 import json
 import os
 import pathlib
@@ -115,6 +116,96 @@ max = [0.1, 0.05, 0.06]
 [output]
 series = "1 ms"
 """
+
+# Two feeds rain on a bed, which leaves through a hole in the floor and by a drain; walls and cut planes go through all of
+# it. What leaves touches what stays, also on other ranks.
+FEEDS = """
+[simulation]
+end = 0.06
+time_step = 2e-5
+exchange_every = 25
+max_overlap = 0.9
+[domain]
+min = [-0.0125, -0.0125, -0.01]
+max = [0.0125, 0.0125, 0.04]
+[gravity]
+type = "uniform"
+acceleration = [0.5, 0, -9.81]
+[flow]
+type = "uniform"
+velocity = [0, 0, 0.5]
+density = 1.2
+viscosity = 1.8e-5
+drag = "schiller_naumann"
+[[materials]]
+name = "glass"
+density = 2500
+stiffness = 300
+restitution = 0.7
+friction = 0.4
+[[particles]]
+name = "bed"
+material = "glass"
+insert = "random"
+count = 120
+region_min = [-0.01, -0.01, 0]
+region_max = [0.01, 0.01, 0.018]
+diameter = { distribution = "uniform", min = 2e-3, max = 4e-3 }
+velocity = { type = "random", value = [0, 0, -0.5], deviation = 0.1 }
+[[particles]]
+name = "rain"
+material = "glass"
+insert = "rate"
+mass_rate = 1e-2
+region_min = [-0.009, -0.009, 0.022]
+region_max = [0.009, 0.009, 0.03]
+diameter = { distribution = "uniform", min = 1.5e-3, max = 3e-3 }
+velocity = { type = "random", value = [0, 0, -0.8], deviation = 0.1 }
+angular_velocity = [30, 0, 20]
+max_delay = 1
+[[particles]]
+name = "pebbles"
+material = "glass"
+SHAPE
+insert = "rate"
+number_rate = 400
+from = 0.004
+region_min = [-0.008, -0.008, 0.025]
+region_max = [0.008, 0.008, 0.025]
+velocity = [0.1, 0, -1]
+max_delay = 1
+[[walls]]
+name = "sides"
+type = "box"
+material = "glass"
+min = [-0.01, -0.01, -0.1]
+max = [0.01, 0.01, 0.1]
+[[walls]]
+name = "floor"
+type = "rectangle"
+material = "glass"
+min = [-0.01, -0.01, 0]
+max = [0.004, 0.01, 0]
+[[outlets]]
+name = "drain"
+type = "region"
+min = [-0.01, 0.004, 0]
+max = [-0.006, 0.01, 0.004]
+[[outlets]]
+name = "below"
+face = "z_min"
+[[analysis.planes]]
+name = "hole"
+point = [0, 0, -0.002]
+normal = [0, 0, -1]
+[output]
+series = "5 ms"
+frames = "20 ms"
+checkpoints = "20 ms"
+"""
+SPHERES_COME = FEEDS.replace("SHAPE", 'diameter = "3 mm"')
+SHAPES_COME = FEEDS.replace("SHAPE", 'shape = "superellipsoid"\nhalf_axes = [1.5e-3, 1e-3, 0.8e-3]\nexponents = [0.5, 0.5]\n'
+                            'orientation = { type = "random" }')
 
 
 # A duct with a step, a body in it and a bed behind it, all of which the cuts between ranks go through.
@@ -233,12 +324,37 @@ class OnSeveralRanks(Ranks):
     def test_shapes_have_the_same_bits_and_files_on_any_number(self):
         self.same_on_all(SHAPES, (2, 4))
 
-    def test_goes_on_with_another_number(self):
-        whole = self.run_on(0, CROWD, "whole")
-        self.run_on(2, CROWD, "parts", "--until", "0.01")
-        parts = self.run_on(3, CROWD, "parts", "--restart", "latest")
+    def goes_on(self, case, until, on=(2, 3)):
+        whole = self.run_on(0, case, "whole")
+        self.run_on(on[0], case, "parts", "--until", str(until))
+        parts = self.run_on(on[1], case, "parts", "--restart", "latest")
         self.assertEqual(parts["state_hash"], whole["state_hash"])
         self.same_files("whole", "parts")
+
+    def test_goes_on_with_another_number(self):
+        self.goes_on(CROWD, 0.01)
+
+    def test_who_comes_and_goes_is_the_same_on_any_number(self):
+        self.same_on_all(SPHERES_COME, (2, 3, 4))
+        last = list(csv.DictReader((self.work / "alone" / "series.csv").read_text().splitlines()))[-1]
+        for column in ("outlet_drain_count", "outlet_below_count", "hole_count"):
+            self.assertGreater(float(last[column]), 0, column)
+        self.assertGreater(float(last["inserted_count"]), 50)
+
+    def test_shapes_come_and_go_on_any_number(self):
+        self.same_on_all(SHAPES_COME, (2, 4))
+
+    def test_feeds_go_on_with_another_number(self):
+        self.goes_on(SHAPES_COME, 0.02, on=(4, 3))
+
+    def test_a_feed_that_is_late_stops_all_ranks(self):
+        case = SPHERES_COME.replace("max_delay = 1", "max_delay = 1e-4").replace("mass_rate = 1e-2", "mass_rate = 1")
+        alone, shared = self.scree(0, case, "alone"), self.scree(3, case, "shared")
+        self.assertEqual((alone.returncode, shared.returncode), (3, 3))
+        told = alone.stderr.splitlines()[0]
+        self.assertIn("cannot keep its rate", told)
+        self.assertEqual(shared.stderr.count(told), 1, shared.stderr)
+        self.same_files("alone", "shared")
 
     def test_physics_gone_wrong_is_told_once_and_leaves_a_checkpoint(self):
         case = CROWD.replace("max_overlap = 0.9", "max_overlap = 0.2")

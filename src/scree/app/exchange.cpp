@@ -49,7 +49,8 @@ Exchange::Exchange(const Case& c, std::int64_t next_id)
   }
 }
 
-Newcomers Exchange::newcomers(const ParticleSystem& system, Fields& fields, double time,
+/// All ranks find the same newcomers: each of them looks at those of all that may be in the way.
+Newcomers Exchange::newcomers(const ParticleSystem& system, const Ranks& ranks, Fields& fields, double time,
                               const std::vector<std::uint8_t>& gone, std::vector<FeedState>& states) const {
   InsertionSetting setting;
   setting.domain = system.domain;
@@ -60,33 +61,67 @@ Newcomers Exchange::newcomers(const ParticleSystem& system, Fields& fields, doub
   Newcomers out;
   out.particles = Particles(system.particles.shaped());
   out.next_id = next_id_;
-  for (std::size_t f = 0; f < feeds_.size(); ++f)
-    feed({feeds_[f], groups_[f], setting, time, system.particles, gone}, states[f], out);
+  for (std::size_t f = 0; f < feeds_.size(); ++f) {
+    const auto near = in_the_way({feeds_[f], groups_[f], setting, time, system.particles, gone}, states[f]);
+    if (!near) continue;
+    const Particles present = copies_everywhere(system.particles, *near, ranks);
+    feed({feeds_[f], groups_[f], setting, time, present, {}}, states[f], out);
+  }
   return out;
 }
 
-bool Exchange::run(ParticleSystem& system, ContactLists& lists, Fields& fields, const sc_field* field,
-                   const Moment& moment, const Team& team) {
-  const std::vector<std::uint8_t> taken = find_leavers(system.particles, system.domain, outlets_);
-  std::vector<FeedState> states = states_;
-  Newcomers coming = newcomers(system, fields, moment.now, taken, states);
-  const bool changed = !taken.empty() || coming.particles.size() > 0;
-  states_ = std::move(states);
-  next_id_ = coming.next_id;
-  if (!changed) return false;
+/// Lets the particles marked in `taken` go; returns what they take away and how many each outlet takes, as bytes.
+Bytes Exchange::take_out(ParticleSystem& system, ContactLists& lists, const std::vector<std::uint8_t>& taken,
+                         const sc_field* field, const Moment& moment) const {
+  Passage passage;
+  std::vector<OutletCount> counts(outlets_.size());
   if (!taken.empty()) {
-    let_out(system, lists, taken, moment, field, passage_);
-    for (std::size_t i = 0; i < taken.size(); ++i)
+    let_out(system, lists, taken, moment, field, passage);
+    for (std::size_t i = 0; i < system.particles.size(); ++i)
       if (taken[i]) {
-        OutletCount& outlet = outlet_counts_[taken[i] - 1];
+        OutletCount& outlet = counts[taken[i] - 1];
         ++outlet.count;
         outlet.mass.add(system.particles.mass[i]);
       }
   }
+  Bytes out(sizeof passage + counts.size() * sizeof(OutletCount));
+  std::memcpy(out.data(), &passage, sizeof passage);
+  if (!counts.empty()) std::memcpy(out.data() + sizeof passage, counts.data(), counts.size() * sizeof(OutletCount));
+  return out;
+}
+
+/// Adds what take_out() gave on every rank.
+void Exchange::enter_books(const std::vector<Bytes>& gone) {
+  for (const Bytes& bytes : gone) {
+    Passage passage;
+    std::memcpy(static_cast<void*>(&passage), bytes.data(), sizeof passage);
+    passage_.add(passage);
+    for (std::size_t o = 0; o < outlet_counts_.size(); ++o) {
+      OutletCount more;
+      std::memcpy(static_cast<void*>(&more), bytes.data() + sizeof passage + o * sizeof more, sizeof more);
+      outlet_counts_[o].count += more.count;
+      outlet_counts_[o].mass.add(more.mass);
+    }
+  }
+}
+
+bool Exchange::run(ParticleSystem& system, ContactLists& lists, Fields& fields, const sc_field* field,
+                   const Moment& moment, const Team& team) {
+  update_ghosts(system, lists);
+  const std::vector<std::uint8_t> taken = find_leavers(system.particles, system.domain, outlets_);
+  std::vector<FeedState> states = states_;
+  Newcomers coming = newcomers(system, lists.ranks, fields, moment.now, taken, states);
+  const bool changed = !lists.ranks.all(taken.empty() && coming.particles.size() == 0);
+  states_ = std::move(states);
+  next_id_ = coming.next_id;
+  if (!changed) return false;
+  enter_books(lists.ranks.gather(take_out(system, lists, taken, field, moment)));
   Buffer<sc_field> around;
   const bool local = act_locally(fields);
   if (local) evaluate(fields, coming.particles, moment.now, lists.kernels, around);
-  let_in(coming.particles, system.domain, moment, local ? around.data() : nullptr, passage_);
+  Passage let;
+  let_in(coming.particles, system.domain, moment, local ? around.data() : nullptr, let);
+  if (lists.ranks.root()) passage_.add(let);
   change_population(system, lists, taken, coming.particles, team);
   return true;
 }

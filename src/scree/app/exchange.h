@@ -27,10 +27,12 @@ class Exchange {
   bool active() const { return !feeds_.empty() || !outlets_.empty(); }
 
   /// Takes out what is in the outlets, then lets in what is due. `lists` must be made; `field` as in a pass. True if
-  /// anybody came or went. Throws PhysicsError, with nothing changed, when a feed is too late.
+  /// anybody came or went. Throws PhysicsError, with nothing changed, when a feed is too late. Of several ranks all
+  /// call it and get the same answer.
   bool run(ParticleSystem& system, ContactLists& lists, Fields& fields, const sc_field* field, const Moment& moment,
            const Team& team);
 
+  /// The books; of several ranks, those of the root.
   const Passage& passage() const { return passage_; }
   const std::vector<Outlet>& outlets() const { return outlets_; }
   const std::vector<OutletCount>& outlet_counts() const { return outlet_counts_; }
@@ -40,8 +42,11 @@ class Exchange {
   void restore(const Archive& archive);
 
  private:
-  Newcomers newcomers(const ParticleSystem& system, Fields& fields, double time, const std::vector<std::uint8_t>& gone,
-                      std::vector<FeedState>& states) const;
+  Newcomers newcomers(const ParticleSystem& system, const Ranks& ranks, Fields& fields, double time,
+                      const std::vector<std::uint8_t>& gone, std::vector<FeedState>& states) const;
+  Bytes take_out(ParticleSystem& system, ContactLists& lists, const std::vector<std::uint8_t>& taken,
+                 const sc_field* field, const Moment& moment) const;
+  void enter_books(const std::vector<Bytes>& gone);
 
   std::int64_t every_;
   std::uint64_t seed_;

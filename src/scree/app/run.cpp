@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "scree/app/build_exchange.h"
 #include "scree/app/derived.h"
 #include "scree/app/device_run.h"
 #include "scree/app/fluid_run.h"
@@ -153,7 +152,6 @@ void refuse_on_ranks(const Case& c, const Ranks& ranks) {
                     "run the case without mpirun: one process uses all processors of its machine"});
   };
   if (is_hard(c)) refuse("contact.collision", "hard collisions");
-  if (!build_outlets(c).empty() || !build_feeds(c).empty()) refuse("simulation.exchange_every", "feeds and outlets");
 }
 
 /// The device of the run; none on the CPU.

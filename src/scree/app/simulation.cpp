@@ -63,8 +63,11 @@ void Simulation::exchange_particles() {
   const Stopwatch watch(stages_, "exchange");
   const sc_field* field = fields_matter() ? field_.data() : nullptr;
   const Moment moment = moment_of(move_now(), contact_time_now(), clock_.now());
-  if (exchange_.run(system_, lists_, fields_, field, moment, team_))
-    findings_.fastest2 = fastest_square(system_.particles);
+  bool changed = false;
+  together([&] { changed = exchange_.run(system_, lists_, fields_, field, moment, team_); });
+  if (!changed) return;
+  findings_.fastest2 = ranks_.largest(fastest_square(system_.particles));
+  count_ = ranks_.total(static_cast<std::int64_t>(system_.particles.size()));
 }
 
 void Simulation::refresh_neighbours() {

@@ -41,6 +41,22 @@ Halo make_halo(Particles& particles, const Blocks& blocks, const Domain& domain,
   return halo;
 }
 
+Particles copies_everywhere(const Particles& particles, const std::vector<std::int32_t>& rows, const Ranks& ranks) {
+  Bytes mine;
+  pack_rows(particles, rows, with_copies, mine);
+  std::vector<Message> outgoing;
+  if (!rows.empty())
+    for (int r = 0; r < ranks.count(); ++r) outgoing.push_back({r, mine});
+  Particles out(particles.shaped());
+  const std::size_t size = packed_size(particles, with_copies);
+  for (const Message& message : ranks.deliver(outgoing)) {
+    const std::size_t first = out.size(), count = message.bytes.size() / size;
+    out.resize(first + count);
+    unpack_rows(out, first, count, with_copies, message.bytes.data());
+  }
+  return out;
+}
+
 void renew_ghosts(Particles& particles, Halo& halo, const Ranks& ranks) {
   for (std::size_t k = 0; k < halo.outgoing.size(); ++k) {
     halo.outgoing[k].bytes.clear();

@@ -24,6 +24,9 @@ struct Halo {
 Halo make_halo(Particles& particles, const Blocks& blocks, const Domain& domain, double largest, double skin,
                const Ranks& ranks);
 
+/// Copies, on every rank, of the particles that the ranks name by their rows; those of rank 0 first.
+Particles copies_everywhere(const Particles& particles, const std::vector<std::int32_t>& rows, const Ranks& ranks);
+
 /// Brings the copies to the present state of their originals.
 void renew_ghosts(Particles& particles, Halo& halo, const Ranks& ranks);
 

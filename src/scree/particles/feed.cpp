@@ -77,21 +77,29 @@ Domain surroundings(const ParticleGroup& group, const Domain& domain, double mar
   return box;
 }
 
+/// The places of those particles that bodies with effect radii up to `largest` may touch within the region.
+std::vector<std::int32_t> near_region(const FeedContext& k, double largest, const Particles& p,
+                                      const std::vector<std::uint8_t>& gone) {
+  std::vector<std::int32_t> near;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!gone.empty() && gone[i]) continue;
+    const Domain box = surroundings(k.group, k.setting.domain, largest + reach_of(p, i));
+    const double* x = p.motion.row(i);
+    bool inside = true;
+    for (int a = 0; a < 3; ++a) inside = inside && (box.periodic[a] || (x[a] >= box.min[a] && x[a] <= box.max[a]));
+    if (inside) near.push_back(static_cast<std::int32_t>(i));
+  }
+  return near;
+}
+
 /// What is there already around the region, with room for those with the radii `due`.
 OccupiedSpace occupied(const FeedContext& k, std::vector<double> due, const Newcomers& newcomers) {
   const double largest = *std::max_element(due.begin(), due.end());
   std::vector<std::pair<const Particles*, std::size_t>> near;
   double widest = 0;
   const auto look = [&](const Particles& p, const std::vector<std::uint8_t>& gone) {
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      if (!gone.empty() && gone[i]) continue;
-      const double reach = largest + reach_of(p, i);
-      const Domain box = surroundings(k.group, k.setting.domain, reach);
-      const double* x = p.motion.row(i);
-      bool inside = true;
-      for (int a = 0; a < 3; ++a) inside = inside && (box.periodic[a] || (x[a] >= box.min[a] && x[a] <= box.max[a]));
-      if (!inside) continue;
-      widest = std::max(widest, reach);
+    for (const std::int32_t i : near_region(k, largest, p, gone)) {
+      widest = std::max(widest, largest + reach_of(p, i));
       near.emplace_back(&p, i);
       due.push_back(reach_of(p, i));
     }
@@ -139,6 +147,12 @@ bool find_room(const FeedContext& k, OccupiedSpace& space, FeedState& state, New
 }
 
 }  // namespace
+
+std::optional<std::vector<std::int32_t>> in_the_way(const FeedContext& k, const FeedState& state) {
+  const std::vector<double> due = due_radii(k, state);
+  if (due.empty()) return {};
+  return near_region(k, *std::max_element(due.begin(), due.end()), k.present, k.gone);
+}
 
 void feed(const FeedContext& k, FeedState& state, Newcomers& newcomers) {
   const std::vector<double> due = due_radii(k, state);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "scree/particles/insert.h"
@@ -42,6 +43,9 @@ struct FeedContext {
   const Particles& present;               // those that are there
   const std::vector<std::uint8_t>& gone;  // marks those of them that are just leaving; may be empty
 };
+
+/// The places of those present that may be in the way of the particles that are due now; empty if nobody is due.
+std::optional<std::vector<std::int32_t>> in_the_way(const FeedContext& context, const FeedState& state);
 
 /// Adds the particles of a feed that are due now and find room: at random places of the group's region, where their
 /// effect surfaces touch no particle that stays and none of the other newcomers, which is decided as contacts are, and

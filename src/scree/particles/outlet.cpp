@@ -12,8 +12,8 @@ bool Outlet::takes(const double* x, const Domain& domain) const {
 std::vector<std::uint8_t> find_leavers(const Particles& particles, const Domain& domain,
                                        const std::vector<Outlet>& outlets) {
   if (outlets.empty()) return {};
-  const std::int64_t n = static_cast<std::int64_t>(particles.size());
-  std::vector<std::uint8_t> taken(particles.size(), 0);
+  const std::int64_t n = static_cast<std::int64_t>(particles.held());
+  std::vector<std::uint8_t> taken(particles.held(), 0);
   std::int64_t leaving = 0;
 #pragma omp parallel for schedule(static) reduction(+ : leaving)
   for (std::int64_t i = 0; i < n; ++i) {

@@ -29,8 +29,8 @@ struct OutletCount {
   ExactSum mass;  // [kg]
 };
 
-/// For every particle 0, or 1 more than the index of the first outlet that takes it; bodies of infinite mass stay.
-/// Empty if nobody leaves.
+/// For every particle held, copies included, 0, or 1 more than the index of the first outlet that takes it; bodies of
+/// infinite mass stay. Empty if nobody leaves.
 std::vector<std::uint8_t> find_leavers(const Particles& particles, const Domain& domain,
                                        const std::vector<Outlet>& outlets);
 

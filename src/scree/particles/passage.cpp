@@ -174,6 +174,25 @@ void book_accounts(const ParticleSystem& s, std::size_t i, const Moment& moment,
 
 }  // namespace
 
+void Passed::add(const Passed& more) {
+  count += more.count;
+  mass.add(more.mass);
+  energy.add(more.energy);
+  momentum.add(more.momentum);
+  angular_momentum.add(more.angular_momentum);
+}
+
+void Passage::add(const Passage& more) {
+  inserted.add(more.inserted);
+  removed.add(more.removed);
+  for (int k = 0; k < 4; ++k) {
+    loss[k].add(more.loss[k]);
+    work[k].add(more.work[k]);
+  }
+  impulse.add(more.impulse);
+  angular_impulse.add(more.angular_impulse);
+}
+
 Moment moment_of(sc_move move, sc_contact_time time, double now) {
   move.kick = time.lead;
   move.drift = 0;
@@ -227,11 +246,13 @@ void let_out(ParticleSystem& s, ContactLists& lists, const std::vector<std::uint
     add(given[s.contacts.pairs.owner[parting.pair]], parting.owner);
     add(given[s.contacts.pairs.partner[parting.pair]], parting.partner);
   }
+  const std::size_t own = p.size();
   for (const auto& [i, sum] : given)
-    if (!gone[i]) push_once_more(bare, p, static_cast<std::size_t>(i), sum);
-  for (const Parting& parting : ending) book_stored(passage.removed, energy_of_pair(s, parting.pair));
+    if (std::size_t(i) < own && !gone[i]) push_once_more(bare, p, static_cast<std::size_t>(i), sum);
+  for (const Parting& parting : ending)
+    if (counts_here(s, parting.pair)) book_stored(passage.removed, energy_of_pair(s, parting.pair));
   SweepFindings ignored;
-  for (std::size_t i = 0; i < p.size(); ++i) {
+  for (std::size_t i = 0; i < own; ++i) {
     if (!gone[i]) continue;
     const auto found = given.find(static_cast<std::int32_t>(i));
     const Gathered g = found == given.end() ? Gathered{} : found->second;

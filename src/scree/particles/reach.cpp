@@ -26,27 +26,40 @@ double gap_over_overlap(const ParticleSystem& s) {
   return (1 + 1e-9) * most;
 }
 
-}  // namespace
-
-Sizes sizes_of(const Particles& p, const Ranks& ranks) {
-  Sizes own;
+/// Makes room for all of the particles; returns the sum of their radii [m].
+double widen(Sizes& sizes, const Particles& p) {
   double sum = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double radius = p.motion.row(i)[lane::radius];
     sum += radius;
-    own.radius = std::max(own.radius, radius);
-    own.excess = std::max(own.excess, p.effect_excess[i]);
-    own.effect_radius = std::max(own.effect_radius, radius + p.effect_excess[i]);
+    sizes.radius = std::max(sizes.radius, radius);
+    sizes.excess = std::max(sizes.excess, p.effect_excess[i]);
+    sizes.effect_radius = std::max(sizes.effect_radius, radius + p.effect_excess[i]);
     // Against a wall the effective radius of a sphere is its own.
-    own.contact_radius = std::max(own.contact_radius, radius);
-    if (p.shaped()) own.contact_radius = std::max(own.contact_radius, sc_largest_contact_radius(p.radius_by_volume(i)));
+    sizes.contact_radius = std::max(sizes.contact_radius, radius);
+    if (p.shaped())
+      sizes.contact_radius = std::max(sizes.contact_radius, sc_largest_contact_radius(p.radius_by_volume(i)));
+  }
+  return sum;
+}
+
+}  // namespace
+
+Sizes sizes_of(const Particles& particles, const Ranks& ranks, const Particles& coming) {
+  Sizes own;
+  double sum = widen(own, particles);
+  std::size_t count = particles.size();
+  const double of_coming = widen(own, coming);
+  if (ranks.root()) {
+    sum += of_coming;
+    count += coming.size();
   }
   std::vector<double> largest{own.radius, own.excess, own.effect_radius, own.contact_radius};
   ranks.find_largest(largest);
   Sizes out{largest[0], largest[1], largest[2], largest[3], 0};
   // In whole parts of the largest, so that it is the same sum on every rank.
   constexpr double parts = 1 << 20;
-  std::vector<std::int64_t> sums{static_cast<std::int64_t>(p.size()),
+  std::vector<std::int64_t> sums{static_cast<std::int64_t>(count),
                                  out.radius > 0 ? std::llround(sum / out.radius * parts) : 0};
   ranks.add_up(sums);
   if (sums[0] > 0) out.mean_radius = static_cast<double>(sums[1]) / parts * out.radius / static_cast<double>(sums[0]);

@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// Sizes of the particles of all ranks, the same on each of them [m].
+/// Sizes of the particles of all ranks and of those that come, the same on each of them [m].
 struct Sizes {
   double radius = 0;          // the largest
   double excess = 0;          // the largest effect radius minus radius
@@ -15,7 +15,8 @@ struct Sizes {
   double mean_radius = 0;
 };
 
-Sizes sizes_of(const Particles& particles, const Ranks& ranks = {});
+/// `coming` are the same on every rank.
+Sizes sizes_of(const Particles& particles, const Ranks& ranks = {}, const Particles& coming = {});
 
 /// Longest range of interaction between two particle surfaces, beyond their bodies [m].
 double reach_beyond_bodies(const ParticleSystem& system, const Sizes& sizes);

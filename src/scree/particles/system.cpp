@@ -71,6 +71,16 @@ bool counts_elsewhere(const Particles& p, std::int32_t owner, std::int32_t partn
   return std::size_t(partner) >= p.size() && p.id[partner] < p.id[owner];
 }
 
+/// Those of the particles that are in the block of this rank.
+Particles in_own_block(Particles p, const ContactLists& lists) {
+  if (lists.ranks.alone()) return p;
+  std::vector<std::uint32_t> rows;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (lists.blocks.owner(p.motion.row(i)) == lists.ranks.rank()) rows.push_back(static_cast<std::uint32_t>(i));
+  p.permute(rows);
+  return p;
+}
+
 /// Puts the contacts that came with particles into the new lists; returns the new places of those that the old lists
 /// name.
 std::vector<std::int32_t> unpack_luggage(ParticleSystem& s, ContactLists& lists, PairContacts& pairs,
@@ -105,12 +115,15 @@ void change_owners(ParticleSystem& s, ContactLists& lists, std::vector<std::uint
   migrate(s, lists.blocks, lists.ranks, gone, lists.luggage);
 }
 
-/// Particles marked in `gone`, if it is not empty, are left out from here on.
+/// Puts in order who is here from now on. Particles marked in `gone`, if it is not empty, are not; of those that come
+/// each goes to the rank in whose block it is.
 void make_lists(ParticleSystem& s, ContactLists& lists, const Team& team, std::vector<std::uint8_t> gone,
-                const Sizes& sizes) {
+                const Particles& fresh, const Sizes& sizes) {
   Particles& p = s.particles;
+  if (!gone.empty()) gone.resize(p.size());
   // The first time everybody is where he belongs, and his luggage is not to travel again.
   if (!lists.ranks.alone() && lists.made) change_owners(s, lists, gone);
+  if (fresh.size() > 0) p.append(in_own_block(fresh, lists));
   // Cells of about a diameter keep neighbours in space close in memory.
   std::vector<std::uint32_t> order = storage_order(p, s.domain, 2 * sizes.mean_radius + lists.skin);
   if (!gone.empty()) std::erase_if(order, [&](std::uint32_t i) { return i < gone.size() && gone[i]; });
@@ -177,11 +190,12 @@ ContactLists prepare_lists(const ParticleSystem& s, double skin) {
 
 namespace {
 
-void renew_lists(ParticleSystem& s, ContactLists& lists, const Team& team, const std::vector<std::uint8_t>& gone) {
-  const Sizes sizes = sizes_of(s.particles, lists.ranks);
+void renew_lists(ParticleSystem& s, ContactLists& lists, const Team& team, const std::vector<std::uint8_t>& gone,
+                 const Particles& fresh) {
+  const Sizes sizes = sizes_of(s.particles, lists.ranks, fresh);
   if (lists.adapts) adapt_skin(lists, s, sizes.mean_radius);
   measure_reach(lists, s, sizes);
-  make_lists(s, lists, team, gone, sizes);
+  make_lists(s, lists, team, gone, fresh, sizes);
   if constexpr (auditing) audit_lists(s, lists);
   lists.travelled = lists.walls_travelled = 0;
   lists.passes = 0;
@@ -199,14 +213,23 @@ bool refresh_lists(ParticleSystem& s, ContactLists& lists, const Team& team) {
     lists.travelled = lists.ranks.largest(greatest_travel(s.particles, s.domain, lists.listed_at));
     if (1.25 * approached(lists) <= lists.skin) return false;
   }
-  renew_lists(s, lists, team, {});
+  renew_lists(s, lists, team, {}, Particles(s.particles.shaped()));
   return true;
+}
+
+void update_ghosts(ParticleSystem& s, ContactLists& lists) {
+  if (lists.ranks.alone() || lists.ghosts_current) return;
+  renew_ghosts(s.particles, lists.halo, lists.ranks);
+  lists.ghosts_current = true;
+}
+
+bool counts_here(const ParticleSystem& s, std::size_t c) {
+  return !counts_elsewhere(s.particles, s.contacts.pairs.owner[c], s.contacts.pairs.partner[c]);
 }
 
 void change_population(ParticleSystem& s, ContactLists& lists, const std::vector<std::uint8_t>& gone,
                        const Particles& fresh, const Team& team) {
-  s.particles.append(fresh);
-  renew_lists(s, lists, team, gone);
+  renew_lists(s, lists, team, gone, fresh);
 }
 
 void note_travel(ContactLists& lists, double distance) {
@@ -289,7 +312,7 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
 
 SweepFindings pass(ParticleSystem& s, ContactLists& lists, const SweepView& view) {
   if (lists.ranks.alone()) return sweep(lists.kernels, view, lists.plan);
-  if (!lists.ghosts_current) renew_ghosts(s.particles, lists.halo, lists.ranks);
+  update_ghosts(s, lists);
   lists.ghosts_current = false;
   std::vector<std::uint8_t> acted;
   for (const std::int32_t c : lists.counted_elsewhere) acted.push_back(s.contacts.active[c]);

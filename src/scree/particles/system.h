@@ -70,8 +70,14 @@ ContactLists prepare_lists(const ParticleSystem& system, double skin);
 /// Makes the lists again if some particle may have come near another one unlisted. True if it did.
 bool refresh_lists(ParticleSystem& system, ContactLists& lists, const Team& team);
 
+/// Brings copies of other ranks' particles to the state of their originals, if they are not.
+void update_ghosts(ParticleSystem& system, ContactLists& lists);
+
+/// Whether the candidate pair c counts on this rank: a pair of two ranks does where the lower id is.
+bool counts_here(const ParticleSystem& system, std::size_t c);
+
 /// Particles marked in `gone` ([particles]; may be empty) go, those of `fresh` come; the contacts of the others keep
-/// their memory. Makes the lists again.
+/// their memory. Makes the lists again. Of several ranks all have the same `fresh`, and take those in their blocks.
 void change_population(ParticleSystem& system, ContactLists& lists, const std::vector<std::uint8_t>& gone,
                        const Particles& fresh, const Team& team);
 
