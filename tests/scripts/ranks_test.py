@@ -4,9 +4,13 @@ import csv
 import json
 import os
 import pathlib
+import resource
+import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 import h5py
@@ -207,6 +211,92 @@ SPHERES_COME = FEEDS.replace("SHAPE", 'diameter = "3 mm"')
 SHAPES_COME = FEEDS.replace("SHAPE", 'shape = "superellipsoid"\nhalf_axes = [1.5e-3, 1e-3, 0.8e-3]\nexponents = [0.5, 0.5]\n'
                             'orientation = { type = "random" }')
 
+HARD = """
+[simulation]
+end = END
+time_step = 1e-4
+max_overlap = 0.9
+[domain]
+min = [0, 0, 0]
+max = [0.05, 0.05, 0.1]
+periodic = [true, false, false]
+[gravity]
+type = "uniform"
+acceleration = [3, 0, -9.81]
+[contact]
+collision = "hard"
+[[materials]]
+name = "wood"
+density = 700
+restitution = 0.6
+friction = 0.5
+[[walls]]
+name = "room"
+type = "box"
+material = "wood"
+min = [-0.05, 0.001, 0.001]
+max = [0.1, 0.049, 0.2]
+[output]
+series = "5 ms"
+frames = "5 ms"
+checkpoints = "5 ms"
+contacts = true
+"""
+# A crowd that falls on a ball in its middle, past a plate that shakes: the ball touches more than 64 others at once.
+HARD_SPHERES = HARD.replace("END", "0.012").replace("[true, false, false]", "[false, false, false]").replace(
+    'type = "uniform"\nacceleration = [3, 0, -9.81]',
+    'type = "expression"\nexpression = ["2e4 * (0.025 - x)", "2e4 * (0.025 - y)", "2e4 * (0.025 - z)"]') + """
+[hard]
+sweeps = 5
+[[walls]]
+name = "shaker"
+type = "plate"
+material = "wood"
+corner = [0.01, 0.01, 0.012]
+edge_a = [0.03, 0, 0]
+edge_b = [0, 0.03, 0]
+motion = { type = "oscillation", amplitude = [0, 0, 0.002], frequency = 30 }
+[[particles]]
+name = "ball"
+material = "wood"
+diameter = "14 mm"
+insert = "positions"
+positions = [[0.025, 0.025, 0.025]]
+[[particles]]
+name = "grains"
+material = "wood"
+diameter = { distribution = "uniform", min = "2 mm", max = "2.5 mm" }
+insert = "random"
+count = 500
+attempts = 20000
+velocity = { type = "random", deviation = 0.2 }
+region_min = [0.01, 0.01, 0.016]
+region_max = [0.04, 0.04, 0.045]
+"""
+# Boxes that lie on each other with feet, and others that fall on them.
+HARD_SHAPES = HARD.replace("END", "0.012").replace("acceleration = [3,", "acceleration = [0.5,") + """
+[[particles]]
+name = "stacks"
+material = "wood"
+shape = "superellipsoid"
+half_axes = [0.005, 0.004, 0.003]
+exponents = [0.1, 0.1]
+insert = "positions"
+positions = [POSITIONS]
+[[particles]]
+name = "stones"
+material = "wood"
+shape = "ellipsoid"
+half_axes = [0.003, 0.002, 0.0015]
+orientation = { type = "random" }
+insert = "random"
+count = 60
+velocity = [0, 0, -0.5]
+region_min = [0, 0.002, 0.03]
+region_max = [0.05, 0.048, 0.06]
+""".replace("POSITIONS", ", ".join(f"[{0.006 + 0.0125 * i}, {0.008 + 0.011 * j}, {0.00401 + 0.00602 * k}]"
+                                   for i in range(4) for j in range(4) for k in range(3)))
+
 
 # A duct with a step, a body in it and a bed behind it, all of which the cuts between ranks go through.
 FLUID = """
@@ -296,18 +386,18 @@ class OnSeveralRanks(Ranks):
             if name.suffix == ".h5":
                 self.assertEqual(content(self.work / one / name), content(self.work / other / name), name)
 
-    def assert_shared(self, summary, ranks):
+    def assert_shared(self, summary, ranks, most_messages):
         """A rank sends each partner one message per step at most, but for steps with new lists; nobody is busier than all."""
         sharing = summary["sharing"]
         self.assertGreater(sharing["messages"], 0.5)
-        self.assertLess(sharing["messages"], 3 * (ranks - 1))
+        self.assertLess(sharing["messages"], most_messages * (ranks - 1))
         self.assertGreater(sharing["bytes"], 48 * sharing["messages"])
         self.assertGreaterEqual(sharing["imbalance"], 0)
         self.assertLess(sharing["imbalance"], ranks - 1)
         self.assertGreaterEqual(sharing["most_particles"], summary["particles"] / ranks)
         self.assertLessEqual(sharing["busy"] + sharing["waiting"], summary["wall_seconds"])
 
-    def same_on_all(self, case, ranks):
+    def same_on_all(self, case, ranks, most_messages=3):
         alone = self.run_on(0, case, "alone")
         self.assertEqual(alone["sharing"], {})
         for n in ranks:
@@ -315,7 +405,7 @@ class OnSeveralRanks(Ranks):
             for key in ("state_hash", "steps", "particles", "contacts", "wall_contacts", "ledger"):
                 self.assertEqual(shared[key], alone[key], (n, key))
             self.assertEqual(shared["ranks"], n)
-            self.assert_shared(shared, n)
+            self.assert_shared(shared, n, most_messages)
             self.same_files("alone", f"on{n}")
 
     def test_spheres_have_the_same_bits_and_files_on_any_number(self):
@@ -372,20 +462,51 @@ class OnSeveralRanks(Ranks):
         self.assertEqual(result.returncode, 2)
         self.assertEqual(result.stderr.count("did you mean"), 1, result.stderr)
 
-    def test_one_that_is_killed_takes_the_others_with_it(self):
-        (self.work / "case.toml").write_text(CROWD.replace("end = 0.02", "end = 100"))
-        run = subprocess.Popen([MPIEXEC, "-n", "3", PROGRAM, "run", "case.toml", "-o", "killed", "--quiet"],
-                               cwd=self.work, env=ENVIRONMENT, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+    def while_it_runs(self, ranks, case, do):
+        """Does something to the processes of a run by their ranks; how the run ends, and what it says."""
+        (self.work / "case.toml").write_text(case)
+        command = [MPIEXEC, "-n", str(ranks), PROGRAM, "run", "case.toml", "-o", "out", "--quiet", "--threads", "1"]
+        run = subprocess.Popen(command, cwd=self.work, env=ENVIRONMENT, stderr=subprocess.PIPE, text=True)
         try:
-            while not list(self.work.glob("killed/checkpoint*")):
+            while not list(self.work.glob("out/checkpoints/*.h5")):
                 self.assertIsNone(run.poll())
-            followers = [pid for pid in children_of(run.pid) if variable(pid, "OMPI_COMM_WORLD_RANK") == "2"]
-            self.assertEqual(len(followers), 1)
-            os.kill(followers[0], 9)
-            self.assertNotEqual(run.wait(timeout=60), 0)
+                time.sleep(0.01)
+            processes = {variable(pid, "OMPI_COMM_WORLD_RANK"): pid for pid in children_of(run.pid)}
+            do({int(rank): pid for rank, pid in processes.items() if rank})
+            _, said = run.communicate(timeout=60)
+            return run.returncode, said
         finally:
             run.kill()
             run.wait()
+
+    def test_one_that_is_killed_takes_the_others_with_it(self):
+        for victim in (0, 2):
+            shutil.rmtree(self.work / "out", ignore_errors=True)
+            status, _ = self.while_it_runs(3, CROWD.replace("end = 0.03", "end = 100"),
+                                           lambda pid: os.kill(pid[victim], signal.SIGKILL))
+            self.assertNotEqual(status, 0)
+
+    def test_one_that_finds_no_memory_takes_the_others_with_it(self):
+        # A rain that needs more and more of it.
+        case = SPHERES_COME.replace("end = 0.06", "end = 100").replace('checkpoints = "20 ms"', 'checkpoints = "1 ms"')
+
+        def take_memory(pid):
+            size = int(pathlib.Path(f"/proc/{pid[1]}/statm").read_text().split()[0]) * resource.getpagesize()
+            resource.prlimit(pid[1], resource.RLIMIT_AS, (size, size))
+
+        status, said = self.while_it_runs(2, case, take_memory)
+        self.assertEqual(status, 4, said)
+        self.assertEqual(said.count("rank 1: out of memory"), 1, said)
+
+    def test_one_that_finds_its_input_bad_takes_the_others_with_it(self):
+        for rank, text in ((0, CROWD), (1, CROWD.replace("restitution", "restitutoin"))):
+            (self.work / str(rank)).mkdir()
+            (self.work / str(rank) / "case.toml").write_text(text)
+        run = 'cd $OMPI_COMM_WORLD_RANK; exec "$0" run case.toml --quiet -o out'
+        result = subprocess.run([MPIEXEC, "-n", "2", "sh", "-c", run, PROGRAM], capture_output=True, text=True,
+                                cwd=self.work, env=ENVIRONMENT, timeout=120)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(result.stderr.count("rank 1: case.toml:"), 1, result.stderr)
 
     def test_a_binding_that_leaves_processors_idle_is_told(self):
         if len(os.sched_getaffinity(0)) < 2:
@@ -400,11 +521,29 @@ class OnSeveralRanks(Ranks):
         self.assertIn("--bind-to none", told["core"].stderr)
         self.assertNotIn("--bind-to none", told["none"].stderr)
 
+    def test_hard_spheres_have_the_same_bits_and_files_on_any_number(self):
+        self.same_on_all(HARD_SPHERES, (2, 3), most_messages=1000)
+        with h5py.File(max((self.work / "alone" / "contacts").glob("*.h5"))) as last:
+            of_the_ball = numpy.count_nonzero(last["contacts/first"][()] == 0)
+        self.assertGreater(of_the_ball, 64)
+
+    def test_hard_shapes_have_the_same_bits_and_files_on_any_number(self):
+        self.same_on_all(HARD_SHAPES, (2, 4), most_messages=1000)
+
+    def test_hard_shapes_go_on_with_another_number(self):
+        self.goes_on(HARD_SHAPES, 0.005)
+
+    def test_a_hard_body_that_is_too_fast_stops_all_ranks(self):
+        case = HARD_SPHERES.replace("deviation = 0.2", "deviation = 4")
+        alone, shared = self.scree(0, case, "alone"), self.scree(3, case, "shared")
+        self.assertEqual((alone.returncode, shared.returncode), (3, 3), alone.stderr)
+        told = alone.stderr.splitlines()[0]
+        self.assertIn("of its radius", told)
+        self.assertEqual(shared.stderr.count(told), 1, shared.stderr)
+        self.same_files("alone", "shared")
+
     def test_what_is_not_there_yet_is_refused_by_name(self):
-        result = self.scree(2, CROWD.replace("[contact]\n", "[contact]\ncollision = \"hard\"\n")
-                            .replace('rolling = "spring"\n', "").replace('twisting = "spring"\n', "")
-                            .replace("rolling_friction = 0.02\n", "").replace("twisting_friction = 0.1\n", "")
-                            .replace("stiffness = 500\n", ""), "hard")
+        result = self.scree(2, HARD_SHAPES + "[hard]\norder = \"sequential\"\n", "sequential")
         self.assertEqual(result.returncode, 2, result.stderr)
         self.assertEqual(result.stderr.count("E191"), 1, result.stderr)
 

@@ -151,7 +151,8 @@ void refuse_on_ranks(const Case& c, const Ranks& ranks) {
                     "",
                     "run the case without mpirun: one process uses all processors of its machine"});
   };
-  if (is_hard(c)) refuse("contact.collision", "hard collisions");
+  if (is_hard(c) && c.hard.order == "sequential")
+    refuse("hard.order", "collisions one after the other through the whole crowd");
 }
 
 /// The device of the run; none on the CPU.

@@ -145,10 +145,19 @@ void Simulation::move_prescribed_bodies() {
   note_travel(lists_, fastest * clock_.dt);
 }
 
-void Simulation::guard() const {
+void Simulation::guard() {
   const double limit = case_.simulation.max_overlap;
-  if (!is_sound(findings_, limit)) together([&] { guard_step(system_, own_findings_, limit, clock_.now()); });
-  if (system_.hard) guard_stride(system_, hard_.stride, clock_.dt, clock_.now());
+  if (!is_sound(findings_, limit)) {
+    update_ghosts(system_, lists_);
+    // Of several ranks the one that has found the deepest overlap speaks of it.
+    SweepFindings mine = own_findings_;
+    if (mine.deepest < findings_.deepest) mine.deepest = 0;
+    together([&] { guard_step(system_, mine, limit, clock_.now()); });
+  }
+  if (system_.hard && hard_.stride > 1)
+    together([&] {
+      if (hard_.own_stride == hard_.stride) guard_stride(system_, hard_.stride, clock_.dt, clock_.now());
+    });
 }
 
 bool Simulation::staggered() const { return !system_.hard && integrator(case_.simulation.integrator) == SC_LEAPFROG; }

@@ -125,7 +125,7 @@ class Simulation {
   void advance_particles();
   void collide_particles();
   void take(SweepFindings findings);
-  void guard() const;
+  void guard();
 
   /// Whether a pass needs to know what acts at each particle.
   bool fields_matter() const { return act_locally(fields_) || !prescribed_.empty(); }

@@ -47,6 +47,7 @@ void collide(HardContacts& h, const HardSettings& settings, double gravity_speed
     }
     fastest = std::max(fastest, c.approach);
   }
+  fastest = h.ranks.largest(fastest);
   const double threshold = threshold_of(settings, gravity_speed);
   if (fastest <= threshold) return;
   const auto visit = [&](HardContact& c) {
@@ -60,8 +61,9 @@ void collide(HardContacts& h, const HardSettings& settings, double gravity_speed
     for (HardContact& c : h.all) visit(c);
     return;
   }
-  for (int sweep = 0; sweep < settings.sweeps; ++sweep)
-    if (visit_all(h, visit) <= settings.residual * settings.residual * fastest) break;
+  const auto sweep = [&] { return sweep_places(h, [&](std::size_t k) { return visit(h.all[h.order[k]]); }); };
+  for (int k = 0; k < settings.sweeps; ++k)
+    if (h.ranks.largest(sweep()) <= settings.residual * settings.residual * fastest) break;
 }
 
 }  // namespace scree

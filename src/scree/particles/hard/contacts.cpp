@@ -199,6 +199,9 @@ void find_walls(ParticleSystem& s, const SweepView& v, std::vector<HardContact>&
 }  // namespace
 
 void find_hard_contacts(ParticleSystem& s, ContactLists& lists, HardContacts& out) {
+  out.ranks = lists.ranks;
+  out.own = s.particles.size();
+  if (!out.ranks.alone()) out.all_copies = tell_of_all(lists.halo);
   load_bodies(s.particles, out.bodies);
   out.all.clear();
   find_pairs(s, out.all);

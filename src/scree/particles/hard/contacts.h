@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "scree/particles/hard/telling.h"
 #include "scree/particles/system.h"
 #include "scree/physics/impulse/impact.h"
 #include "scree/physics/impulse/roll.h"
@@ -71,12 +72,15 @@ struct HardContact {
 /// colour, none of which has two contacts of one body that can move.
 struct HardContacts {
   Team team{1};                             // shares the contacts of a colour
-  std::vector<HardBody> bodies;             // of all particles
+  Ranks ranks;                              // share the bodies
+  std::size_t own = 0;                      // bodies of this rank; copies of others stand behind
+  std::vector<HardBody> bodies;             // of all particles held
   std::vector<HardContact> all;             // by key
   std::vector<HardPoint> points;            // of every contact, with room for as many as a contact may have
   std::vector<std::uint32_t> order;         // by colour, then by key
   std::vector<std::uint32_t> colour_first;  // places in `order`, and the end
-  bool leftover = false;                    // the last colour holds what no other one took: to be visited in its order
+  Telling all_copies;                       // who is told of whom by whom
+  std::vector<Telling> before_colour;       // the same of those whom the contacts of two ranks in a colour move
   int room = 1;                             // for points of a contact: one among spheres
 
   std::span<HardPoint> points_of(const HardContact& c) {
@@ -89,6 +93,28 @@ struct HardContacts {
 
 /// Finds all pairs and walls that touch at the present places, and remembers that in the contacts of the system.
 void find_hard_contacts(ParticleSystem& system, ContactLists& lists, HardContacts& out);
+
+/// Whether a contact counts on this rank: a pair of two ranks does where the lower id is.
+inline bool counts_here(const HardContacts& h, const HardContact& c) { return static_cast<std::size_t>(c.a) < h.own; }
+
+/// Brings the velocities and spins of copies to those of their originals.
+inline void tell_velocities(HardContacts& h, Telling& telling) {
+  const auto put = [](double* to, sc_vec v) {
+    to[0] = v.x;
+    to[1] = v.y;
+    to[2] = v.z;
+  };
+  tell<6>(
+      telling, h.ranks,
+      [&](std::int32_t i, double* to) {
+        put(to, h.bodies[i].velocity);
+        put(to + 3, h.bodies[i].spin);
+      },
+      [&](std::int32_t i, const double* from) {
+        h.bodies[i].velocity = sc_make_vec(from[0], from[1], from[2]);
+        h.bodies[i].spin = sc_make_vec(from[3], from[4], from[5]);
+      });
+}
 
 /// Velocity of A at a point of the contact, seen from B [m/s].
 inline sc_vec contact_velocity(const std::vector<HardBody>& bodies, const HardContact& c, const HardPoint& p) {

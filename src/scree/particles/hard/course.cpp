@@ -1,14 +1,36 @@
 #include "scree/particles/hard/course.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace scree {
 
-Course::Course(const HardContacts& h) : before_(h.bodies.size()), course_(h.bodies.size()) {
+namespace {
+
+/// The sum of all changes [J], in whole parts of the largest, so that it is the same in any order and on any number of
+/// ranks.
+double size_of(const HardContacts& h, const Bearings& bearings) {
+  double largest = 0;
+  for (const double change : bearings.change) largest = std::max(largest, change);
+  largest = h.ranks.largest(largest);
+  if (!(largest > 1e-270)) return 0;
+  if (!std::isfinite(largest)) return largest;
+  // There is room for four million contacts.
+  const double parts = std::ldexp(1, 40 - std::ilogb(largest));
+  std::int64_t sum = 0;
+  for (std::size_t k = 0; k < bearings.change.size(); ++k)
+    if (static_cast<std::size_t>(bearings.all[k].a) < h.own) sum += std::llround(bearings.change[k] * parts);
+  return static_cast<double>(h.ranks.total(sum)) / parts;
+}
+
+}  // namespace
+
+Course::Course(const HardContacts& h) : before_(h.own), course_(h.own) {
   for (std::size_t i = 0; i < before_.size(); ++i) before_[i] = {h.bodies[i].velocity, h.bodies[i].spin};
 }
 
 void Course::go_on(HardContacts& h, Bearings& bearings) {
-  double size = 0;
-  for (const double change : bearings.change) size += change;
+  const double size = size_of(h, bearings);
   const double share = last_ > 0 ? size / last_ : 0;
   last_ = size;
   // A change that grows has lost its way: start again.

@@ -88,13 +88,13 @@ double prepare_all(const Rest& rest, Bearings& out) {
   out.points.assign(first, {});
   const bool turns = std::ranges::any_of(h.all, [](const HardContact& c) { return c.resists_turning(); });
   if (turns) out.turns.assign(h.all.size(), {});
-  return visit_places(h, [&](std::size_t k) {
+  return h.ranks.largest(visit_places(h, [&](std::size_t k) {
     HardContact& c = h.all[h.order[k]];
     BearingPoint* points = &out.points[out.all[k].first];
     const double fastest = prepare(rest, c, out.all[k], points);
     if (turns) prepare_turning(h, c, {points, out.all[k].count}, out.turns[k]);
     return fastest;
-  });
+  }));
 }
 
 /// Bodies begin with the impulses that their contacts remember.
@@ -117,7 +117,8 @@ void sweep_all(HardContacts& h, Bearings& bearings, const HardSettings& settings
   const double enough = settings.residual * fastest;
   Course course(h);
   for (int sweep = 1; sweep <= settings.sweeps; ++sweep) {
-    if (visit_places(h, [&](std::size_t k) { return visit(h, bearings, k); }) <= enough * enough) return;
+    const double most = sweep_places(h, [&](std::size_t k) { return visit(h, bearings, k); });
+    if (h.ranks.largest(most) <= enough * enough) return;
     if (sweep < settings.sweeps) course.go_on(h, bearings);
   }
 }
@@ -163,6 +164,7 @@ void hold(HardContacts& h, const std::vector<HardBody>& before, const HardSettin
   if (fastest > 0) {
     begin(h, bearings);
     sweep_all(h, bearings, settings, fastest);
+    tell_velocities(h, h.all_copies);
   }
   visit_places(h, [&](std::size_t k) {
     HardContact& c = h.all[h.order[k]];

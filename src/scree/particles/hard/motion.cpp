@@ -42,8 +42,8 @@ void rotate(Particles& p, std::size_t i, HardBody& body, sc_vec shift, double ti
 }  // namespace
 
 void load_bodies(const Particles& p, std::vector<HardBody>& bodies) {
-  bodies.resize(p.size());
-  launch(p.size(), [&](std::size_t i) {
+  bodies.resize(p.held());
+  launch(p.held(), [&](std::size_t i) {
     const double *m = p.motion.row(i), *spin = p.spin.row(i);
     HardBody& body = bodies[i];
     body.velocity = vec_of(m + lane::vx);
@@ -94,8 +94,8 @@ void book_push(Particles& p, const std::vector<HardBody>& before, const std::vec
   });
 }
 
-void settle(const SweepView& v, const std::vector<HardBody>& bodies, SweepFindings& findings) {
-  const std::int64_t n = static_cast<std::int64_t>(bodies.size());
+void settle(const SweepView& v, std::size_t own, const std::vector<HardBody>& bodies, SweepFindings& findings) {
+  const std::int64_t n = static_cast<std::int64_t>(own);
   double fastest2 = 0;
   bool inside = true, sound = true;
 #pragma omp parallel for schedule(static) reduction(max : fastest2) reduction(&& : inside, sound) if (n >= worth_a_team)

@@ -27,7 +27,7 @@ void push(const Particles& particles, std::vector<HardBody>& bodies, const sc_mo
 void book_push(Particles& particles, const std::vector<HardBody>& before, const std::vector<HardBody>& after,
                const sc_move& move, bool book_gravity, const std::vector<HardPush>& given);
 
-/// Writes velocities and spins into the particles and puts these back into the box.
-void settle(const SweepView& view, const std::vector<HardBody>& bodies, SweepFindings& findings);
+/// Writes velocities and spins into the particles, of which there are `own`, and puts these back into the box.
+void settle(const SweepView& view, std::size_t own, const std::vector<HardBody>& bodies, SweepFindings& findings);
 
 }  // namespace scree

@@ -26,6 +26,18 @@ void part(const HardContacts& h, const HardContact& c, std::vector<sc_vec>& way,
   if (b > 0) way[c.b] = sc_add_scaled(way[c.b], -distance * (b / (a + b)), c.push);
 }
 
+/// Brings the ways of copies to those of their originals.
+void tell_ways(HardContacts& h, Telling& telling, std::vector<sc_vec>& way) {
+  tell<3>(
+      telling, h.ranks,
+      [&](std::int32_t i, double* to) {
+        to[0] = way[i].x;
+        to[1] = way[i].y;
+        to[2] = way[i].z;
+      },
+      [&](std::int32_t i, const double* from) { way[i] = sc_make_vec(from[0], from[1], from[2]); });
+}
+
 void book(Particles& p, std::size_t i, sc_vec way, sc_vec gravity) {
   const double* m = p.motion.row(i);
   const sc_vec velocity = sc_make_vec(m[lane::vx], m[lane::vy], m[lane::vz]);
@@ -42,17 +54,21 @@ void book(Particles& p, std::size_t i, sc_vec way, sc_vec gravity) {
 double relocate(ParticleSystem& s, HardContacts& h, const HardSettings& settings, sc_vec gravity) {
   const bool idle = std::none_of(h.all.begin(), h.all.end(),
                                  [&](const HardContact& c) { return c.overlap > settings.slop * c.smaller; });
-  if (idle) return 0;
-  std::vector<sc_vec> way(s.particles.size(), sc_zero_vec());
+  if (h.ranks.all(idle)) return 0;
+  std::vector<sc_vec> way(s.particles.held(), sc_zero_vec());
+  const auto before = [&](std::size_t colour) {
+    if (!h.before_colour.empty()) tell_ways(h, h.before_colour[colour], way);
+  };
   for (int sweep = 0; sweep < sweeps; ++sweep)
-    visit_all(h, [&](HardContact& c) {
-      part(h, c, way, settings.slop);
+    visit_places(h, before, [&](std::size_t k) {
+      part(h, h.all[h.order[k]], way, settings.slop);
       return 0.0;
     });
   // Wall after wall, so that a corner is left on both sides.
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (const HardContact& c : h.all)
       if (c.at_wall()) part(h, c, way, settings.slop);
+  tell_ways(h, h.all_copies, way);
   double farthest2 = 0;
   for (std::size_t i = 0; i < way.size(); ++i) {
     const double square = sc_dot(way[i], way[i]);

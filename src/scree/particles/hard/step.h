@@ -12,9 +12,10 @@ struct HardStep {
   HardContacts contacts;
   std::vector<HardBody> before;  // after the collisions, before the forces
   std::vector<HardPush> given;
-  double relocated = 0;  // the longest way of a body by relocation [m]
-  double way = 0;        // the longest way of a body in all [m]
-  double stride = 0;     // the longest way by its velocity, over the radius of a sphere inside the body [-]
+  double relocated = 0;   // the longest way of a body by relocation [m]
+  double way = 0;         // the longest way of a body in all [m]
+  double stride = 0;      // the longest way by its velocity, over the radius of a sphere inside the body [-]
+  double own_stride = 0;  // that of this rank's bodies [-]
   SweepFindings findings;
 };
 
