@@ -1,7 +1,9 @@
-"""Kills a run at random moments and continues it from its newest checkpoint: kill.py SCREE DIRECTORY KILLS.
+"""Kills a run at random moments and continues it from its newest checkpoint:
+kill.py SCREE DIRECTORY KILLS [MPIEXEC RANKS].
 
 After every kill all files must be readable by other people's readers and the newest checkpoint must load. The run that was
-killed so often must end like one that nobody touched: the same state_hash, the same tables, the same frames.
+killed so often must end like one that nobody touched: the same state_hash, the same tables, the same frames. With several
+ranks one of them is killed, and the others must go down with it; the run that nobody touches is one process.
 """
 
 import csv
@@ -72,25 +74,40 @@ agglomerates = true
 """
 
 
-def command(scree, case, directory, restart):
-    words = [scree, "run", case, "-o", directory, "--quiet", "--threads", "2"]
+ENVIRONMENT = os.environ | {
+    "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_hwloc_base_binding_policy": "none"}
+
+
+def command(scree, case, directory, restart, launcher=()):
+    words = [*launcher, scree, "run", case, "-o", directory, "--quiet", "--threads", "1" if launcher else "2"]
     return words + (["--restart", restart] if restart else ["--force"])
 
 
-def run_to_the_end(scree, case, directory, restart=None):
+def run_to_the_end(scree, case, directory, restart=None, launcher=(), more=()):
     start = time.monotonic()
-    subprocess.run(command(scree, case, directory, restart), check=True)
+    subprocess.run(command(scree, case, directory, restart, launcher) + list(more), check=True, env=ENVIRONMENT)
     return time.monotonic() - start
 
 
-def run_and_kill(scree, case, directory, restart, delay):
+def ranks_of(launcher_pid):
+    return [int(pid) for pid in subprocess.run(["pgrep", "-P", str(launcher_pid)], capture_output=True,
+                                               text=True).stdout.split()]
+
+
+def run_and_kill(scree, case, directory, restart, delay, launcher=(), which=0):
     """True if the run was killed, False if it ended before."""
-    process = subprocess.Popen(command(scree, case, directory, restart), stderr=subprocess.PIPE)
+    process = subprocess.Popen(command(scree, case, directory, restart, launcher), stderr=subprocess.PIPE, env=ENVIRONMENT)
     try:
         _, text = process.communicate(timeout=delay)
     except subprocess.TimeoutExpired:
-        process.send_signal(signal.SIGKILL)
-        process.communicate()
+        ranks = ranks_of(process.pid) if launcher else []
+        try:
+            os.kill(ranks[which % len(ranks)] if ranks else process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass  # it has just ended
+        process.communicate(timeout=120)
+        assert not launcher or process.returncode, "the other ranks go on without the one that was killed"
         return True
     assert process.returncode == 0, f"the run ended with {process.returncode}: {text.decode()}"
     return False
@@ -150,7 +167,7 @@ def compare(directory, truth):
         assert same_arrays(f"{directory}/frames/{name}", f"{truth}/frames/{name}"), f"{name} differs"
 
 
-def main(scree, directory, kills):
+def main(scree, directory, kills, launcher=()):
     shutil.rmtree(directory, ignore_errors=True)
     os.makedirs(directory)
     case = f"{directory}/kill.toml"
@@ -158,18 +175,24 @@ def main(scree, directory, kills):
         file.write(CASE)
     truth, victim = f"{directory}/truth", f"{directory}/victim"
     duration = run_to_the_end(scree, case, truth)
+    begin = 0
+    if launcher:
+        begin = run_to_the_end(scree, case, victim, launcher=launcher, more=["--until", "1e-4"])
+        duration = run_to_the_end(scree, case, victim, launcher=launcher, more=["--force"]) - begin
+        shutil.rmtree(victim)
     moments = random.Random(1)
     done, resumed = 0, 0
     while done < kills:
         restart = newest(victim)
         # Short delays too: a kill may come while the files of the run are being made or cut.
-        if not run_and_kill(scree, case, victim, restart, moments.uniform(0, 2.5 * duration / kills)):
+        delay = moments.uniform(0.5 * begin, 1.2 * begin + 2.5 * duration / kills)
+        if not run_and_kill(scree, case, victim, restart, delay, launcher, done):
             shutil.rmtree(victim)  # it came to its end: once more from the start
             continue
         done += 1
         resumed += restart is not None
         read_everything(victim)
-    run_to_the_end(scree, case, victim, newest(victim))
+    run_to_the_end(scree, case, victim, newest(victim), launcher)
     compare(victim, truth)
     assert resumed > kills / 3, f"only {resumed} of {kills} kills hit a continued run"
     print(f"{kills} kills, {resumed} of them of a continued run; the end is the same")
@@ -177,4 +200,4 @@ def main(scree, directory, kills):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2], int(sys.argv[3]))
+    main(sys.argv[1], sys.argv[2], int(sys.argv[3]), [sys.argv[4], "-n", sys.argv[5]] if len(sys.argv) > 4 else [])
