@@ -52,12 +52,27 @@ bool within(const CountingPlane& plane, const Domain& domain, const double* x, c
 
 }  // namespace
 
-void PlaneWatch::look(const Particles& particles, const Domain& domain, double dt, bool first) {
+/// Room for the sides of all.
+void PlaneWatch::make_room(const Particles& particles) {
   const std::int64_t n = static_cast<std::int64_t>(particles.size());
   std::int64_t last = -1;
 #pragma omp parallel for schedule(static) reduction(max : last) if (n >= worth_sharing)
   for (std::int64_t i = 0; i < n; ++i) last = std::max(last, particles.id[i]);
   if (last >= static_cast<std::int64_t>(side_.size())) side_.resize(static_cast<std::size_t>(last) + 1);
+}
+
+void PlaneWatch::note(const Particles& particles, const Domain& domain, std::int64_t fresh) {
+  make_room(particles);
+  const std::int64_t n = static_cast<std::int64_t>(particles.size());
+#pragma omp parallel for schedule(static) if (n >= worth_sharing)
+  for (std::int64_t i = 0; i < n; ++i)
+    if (particles.id[i] < fresh)
+      side_[particles.id[i]] = depth(plane_, domain, particles.motion.row(i)) < 0 ? before : behind;
+}
+
+void PlaneWatch::look(const Particles& particles, const Domain& domain, double dt, bool first) {
+  make_room(particles);
+  const std::int64_t n = static_cast<std::int64_t>(particles.size());
 #pragma omp parallel if (n >= worth_sharing)
   {
     PlaneCount mine;

@@ -39,11 +39,17 @@ class PlaneWatch {
   /// before are taken to have come with these velocities. `first`: nobody has passed yet, only sides are noted.
   void look(const Particles& particles, const Domain& domain, double dt, bool first);
 
+  /// Notes the sides of all whose ids are below `fresh`: who has been watched elsewhere so far has not passed
+  /// meanwhile.
+  void note(const Particles& particles, const Domain& domain, std::int64_t fresh);
+
   const PlaneCount& count() const { return count_; }
   void restore(const PlaneCount& count) { count_ = count; }
 
  private:
   enum Side : std::uint8_t { unseen, before, behind };
+
+  void make_room(const Particles& particles);
 
   CountingPlane plane_;
   std::vector<std::uint8_t> side_;  // [ids]

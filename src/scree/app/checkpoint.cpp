@@ -87,6 +87,7 @@ void Simulation::restore(const Archive& archive) {
                     archive.origin, archive.number("time_step"), clock_.dt));
   Particles saved = particles_of(archive);
   exchange_.restore(archive);
+  planes_.restore(case_, archive, ranks_);
   clock_.step = archive.integer("step");
   tally_ = {archive.integer("contact_evaluations"), archive.integer("wall_contact_evaluations"),
             archive.integer("impacts"), archive.integer("impact_speed")};

@@ -32,6 +32,9 @@ class Exchange {
   bool run(ParticleSystem& system, ContactLists& lists, Fields& fields, const sc_field* field, const Moment& moment,
            const Team& team);
 
+  /// The first id that is free.
+  std::int64_t next_id() const { return next_id_; }
+
   /// The books; of several ranks, those of the root.
   const Passage& passage() const { return passage_; }
   const std::vector<Outlet>& outlets() const { return outlets_; }

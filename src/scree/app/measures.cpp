@@ -1,21 +1,10 @@
 #include "scree/app/measures.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "scree/analysis/measure.h"
 
 namespace scree {
 namespace {
-
-CountingPlane plane_of(const PlaneKeys& keys) {
-  CountingPlane out{keys.point, keys.normal, std::numeric_limits<double>::infinity(), keys.min, keys.max};
-  const double length = std::hypot(keys.normal[0], keys.normal[1], keys.normal[2]);
-  for (double& n : out.normal) n /= length;
-  if (keys.radius) out.radius = *keys.radius;
-  return out;
-}
 
 SurfaceProbe probe_of(const SurfaceKeys& keys) {
   SurfaceProbe out;
@@ -44,11 +33,9 @@ std::vector<std::string> measure_columns(const Case& c) {
 Measures::Measures(const Case& c, const Clock& clock, const std::filesystem::path& directory, const Archive* archive)
     : row_time_(clock.now()) {
   for (const PlaneKeys& keys : c.analysis.planes) {
-    Plane plane{keys.name, PlaneWatch(plane_of(keys)), 0};
-    if (archive && archive->contains("plane_" + keys.name)) {
-      plane.watch.restore(plane_count_from(archive->get<std::int64_t>("plane_" + keys.name)));
+    Plane plane{keys.name, {}, 0};
+    if (archive && archive->contains("plane_row_mass_" + keys.name))
       plane.row_mass = archive->number("plane_row_mass_" + keys.name);
-    }
     planes_.push_back(std::move(plane));
   }
   if (archive && archive->contains("measures_row_time")) row_time_ = archive->number("measures_row_time");
@@ -60,19 +47,19 @@ Measures::Measures(const Case& c, const Clock& clock, const std::filesystem::pat
 void Measures::look(Simulation& simulation) {
   const Clock& clock = simulation.clock();
   if (seen_step_ == clock.step) return;
-  if (!planes_.empty()) {
-    const ParticleSystem& system = simulation.whole();
-    const Stopwatch watch(simulation.stages(), "planes");
-    for (Plane& plane : planes_) plane.watch.look(system.particles, system.domain, clock.dt, seen_step_ < 0);
-  }
   for (AverageRun& average : averages_) average.look(simulation);
   seen_step_ = clock.step;
+}
+
+void Measures::count(const Simulation& simulation) {
+  const std::vector<PlaneCount> counts = simulation.plane_counts();
+  for (std::size_t k = 0; k < planes_.size(); ++k) planes_[k].count = counts[k];
 }
 
 std::vector<double> Measures::row(const Sample& sample, double time) {
   std::vector<double> out;
   for (Plane& plane : planes_) {
-    const PlaneCount& count = plane.watch.count();
+    const PlaneCount& count = plane.count;
     const double mass = count.mass.value();
     const double rate = time > row_time_ ? (mass - plane.row_mass) / (time - row_time_) : 0;
     out.insert(out.end(),
@@ -100,7 +87,7 @@ void Measures::finish() {
 void Measures::save(Archive& archive) const {
   if (!planes_.empty()) archive.set("measures_row_time", row_time_);
   for (const Plane& plane : planes_) {
-    archive.put("plane_" + plane.name, numbers_of(plane.watch.count()));
+    archive.put("plane_" + plane.name, numbers_of(plane.count));
     archive.set("plane_row_mass_" + plane.name, plane.row_mass);
   }
   for (const AverageRun& average : averages_) average.save(archive);

@@ -24,6 +24,9 @@ class Measures {
   /// Looks at the present step, once. Must see the first state, and every step after it.
   void look(Simulation& simulation);
 
+  /// Takes up what the planes have counted so far, for row() and save().
+  void count(const Simulation& simulation);
+
   /// Values of measure_columns() for a row at the time of the sample [s]; rates are those since the row before.
   std::vector<double> row(const Sample& sample, double time);
 
@@ -36,7 +39,7 @@ class Measures {
   /// A plane, and what its last row of the series said.
   struct Plane {
     std::string name;
-    PlaneWatch watch;
+    PlaneCount count;
     double row_mass = 0;  // [kg]
   };
 

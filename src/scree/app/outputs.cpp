@@ -143,6 +143,7 @@ void Outputs::append_row(Simulation& simulation) {
     const double wanted = case_.analysis.stop_agglomerated;
     agglomerated_ = wanted > 0 && row.agglomerates->agglomerated_fraction > wanted;
   }
+  measures_.count(simulation);
   row.measures = measures_.row(sample, row.time);
   series_->append(values_of(row));
   if (tracks_) tracks_->append(track_rows(sample, case_.output.tracks, row.time));
@@ -181,6 +182,7 @@ void Outputs::write_checkpoint(Simulation& simulation) {
   checkpoint_due_ = next_due(clock.step, case_.output.checkpoints, clock.dt);
   if (checkpoint_step_ == clock.step) return;
   Archive archive = simulation.save();
+  measures_.count(simulation);
   save_books(archive);
   write_archive(directory_.checkpoint(static_cast<std::uint64_t>(clock.step)), archive);
   directory_.prune_checkpoints();

@@ -16,7 +16,8 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const R
       ranks_(ranks),
       fields_(build_fields(c)),
       system_(build_system(case_, fields_, resumed ? Takeover::skip : Takeover::read)),
-      exchange_(c, static_cast<std::int64_t>(system_.particles.size())) {
+      exchange_(c, static_cast<std::int64_t>(system_.particles.size())),
+      planes_(c) {
   prescribed_ = build_prescribed(c, system_.particles);
   set_velocities(prescribed_, system_.particles, 0);
   motions_ = build_wall_motions(c, system_.walls, system_.domain);
@@ -40,6 +41,7 @@ void Simulation::step() {
 void Simulation::advance() {
   const EffortMeter meter(effort_, ranks_);
   if (device_) return advance_on_device();
+  planes_.begin(system_.particles, system_.domain, clock_.dt);
   move_walls(clock_.now());
   exchange_particles();
   refresh_neighbours();
@@ -48,6 +50,7 @@ void Simulation::advance() {
   move_prescribed_bodies();
   clock_.advance();
   guard();
+  look_at_planes();
 }
 
 /// Puts the walls where they are at a time.
@@ -66,13 +69,26 @@ void Simulation::exchange_particles() {
   bool changed = false;
   together([&] { changed = exchange_.run(system_, lists_, fields_, field, moment, team_); });
   if (!changed) return;
+  note_owners();
   findings_.fastest2 = ranks_.largest(fastest_square(system_.particles));
   count_ = ranks_.total(static_cast<std::int64_t>(system_.particles.size()));
 }
 
 void Simulation::refresh_neighbours() {
   const Stopwatch watch(stages_, "neighbours");
-  refresh_lists(system_, lists_, team_);
+  if (refresh_lists(system_, lists_, team_)) note_owners();
+}
+
+/// Particles may have come from other ranks, who know on which side of the planes they are.
+void Simulation::note_owners() {
+  if (!ranks_.alone()) planes_.note(system_.particles, system_.domain, fresh_);
+}
+
+void Simulation::look_at_planes() {
+  fresh_ = exchange_.next_id();
+  if (planes_.empty()) return;
+  const Stopwatch watch(stages_, "planes");
+  planes_.look(system_.particles, system_.domain, clock_.dt);
 }
 
 void Simulation::evaluate_fields(const ParticleSystem& system, double time, Buffer<sc_field>& field) {

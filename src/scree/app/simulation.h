@@ -10,6 +10,7 @@
 
 #include "scree/app/build.h"
 #include "scree/app/exchange.h"
+#include "scree/app/plane_watches.h"
 #include "scree/app/prescribed.h"
 #include "scree/app/sticking.h"
 #include "scree/app/wall_motion.h"
@@ -38,7 +39,7 @@ struct DeviceInfo;
 }
 
 /// What the root asks of the other ranks.
-enum class Call : std::int64_t { step, gather, report, dismiss };
+enum class Call : std::int64_t { step, gather, planes, report, dismiss };
 
 /// What has been counted since the start.
 struct Tally {
@@ -72,6 +73,9 @@ class Simulation {
 
   /// SHA-256 over time, particles by id and contacts by key, as hexadecimal text.
   std::string state_hash();
+
+  /// What has passed each plane of the case since the start.
+  std::vector<PlaneCount> plane_counts() const;
 
   /// Everything that continuing to the last bit needs.
   Archive save();
@@ -119,6 +123,8 @@ class Simulation {
   void move_walls(double time);
   void exchange_particles();
   void move_prescribed_bodies();
+  void note_owners();
+  void look_at_planes();
   void refresh_neighbours();
   void evaluate_own_fields(double time);
   void evaluate_fields(const ParticleSystem& system, double time, Buffer<sc_field>& field);
@@ -146,6 +152,8 @@ class Simulation {
   std::vector<PrescribedGroup> prescribed_;
   std::vector<WallMotion> motions_;
   Exchange exchange_;
+  PlaneWatches planes_;
+  std::int64_t fresh_ = 0;  // ids from here on have come since the last step
   ContactLists lists_;
   Buffer<sc_field> field_;
   Clock clock_;

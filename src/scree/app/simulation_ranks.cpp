@@ -40,6 +40,9 @@ std::int64_t Simulation::follow() {
         case Call::gather:
           gather();
           break;
+        case Call::planes:
+          planes_.counts(ranks_);
+          break;
         case Call::report:
           report();
           break;
@@ -78,6 +81,7 @@ void Simulation::together(const std::function<void()>& look) const {
 void Simulation::settle() {
   count_ = static_cast<std::int64_t>(system_.particles.size());
   whole_step_ = -1;
+  fresh_ = exchange_.next_id();
   if (ranks_.alone()) return;
   lists_.ranks = ranks_;
   lists_.blocks = equal_blocks(ranks_.count(), system_.domain);
@@ -118,6 +122,12 @@ std::vector<std::pair<std::string, double>> Simulation::sharing() const {
           {"waiting", waiting / ranks},
           {"imbalance", busiest * ranks / busy - 1},
           {"most_particles", most_particles}};
+}
+
+std::vector<PlaneCount> Simulation::plane_counts() const {
+  if (planes_.empty()) return {};
+  call(Call::planes);
+  return planes_.counts(ranks_);
 }
 
 void Simulation::gather() {
