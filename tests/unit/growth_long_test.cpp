@@ -84,20 +84,51 @@ Body any_body(std::mt19937_64& random, double size) {
   return {make_form({a, b, c}, e1, e2), size};
 }
 
-TEST(GrowthLong, NoWrongVerdictBetweenAnyShapes) {
-  std::int64_t wrong = 0;
-#pragma omp parallel for schedule(dynamic) reduction(+ : wrong)
-  for (int round = 0; round < 200; ++round) {
+// As above: deep ones, features, exchange.
+TEST(GrowthLong, NoWrongVerdictInAMillionPairsOfAnyShapes) {
+  constexpr int rounds = 340, per_round = 3000;
+  std::int64_t wrong = 0, uneven = 0;
+#pragma omp parallel for schedule(dynamic) reduction(+ : wrong, uneven)
+  for (int round = 0; round < rounds; ++round) {
     std::mt19937_64 random(1000 + round);
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < per_round; ++i) {
       const Body a = any_body(random, 1), b = any_body(random, std::pow(0.1, uniform_draw(random)));
-      const double near = std::pow(10, -9 + 8.9 * uniform_draw(random));
-      const double growth = random() & 1 ? 1 - near : 1 + near;
-      const int verdict = sc_growth_solve(any_touching(a, b, random).at(growth), 0, sc_growth_point{}).verdict;
+      const double growth = any_growth(i, random);
+      const Touching t = i % 3 ? any_touching(a, b, random) : touching_at_features(a, b, random);
+      const int verdict = sc_growth_solve(t.at(growth), 0, sc_growth_point{}).verdict;
       wrong += verdict != (growth < 1 ? SC_GROWTH_TOUCHING : SC_GROWTH_APART);
+      if (i % 4 == 0) uneven += !same_from_either_side(t, growth);
     }
   }
   EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(uneven, 0);
+}
+
+// Pairs at any branch, whose growth distance no construction tells: near touching, by a search that has nothing in
+// common with the solver but the shapes.
+TEST(GrowthLong, AsASlowSearchFindsNearTouching) {
+  const std::vector<Kind> all = kinds();
+  constexpr int rounds = 2000;
+  std::int64_t wrong = 0, outside = 0;
+#pragma omp parallel for schedule(dynamic) reduction(+ : wrong, outside)
+  for (int round = 0; round < rounds; ++round) {
+    std::mt19937_64 random(5000 + round);
+    const auto number = static_cast<std::size_t>(round);
+    const Body a = round % 2 ? any_body(random, 1) : all[number / 2 % all.size()].a;
+    const Body b = round % 2 ? any_body(random, std::pow(0.1, uniform_draw(random))) : all[number / 2 % all.size()].b;
+    Touching t = any_touching(a, b, random);
+    // At any direction from each other, or beside the place where they are known to touch.
+    const Real beside = std::pow(10.0L, -6 * uniform_draw(random));
+    const Vec branch = round % 3 ? any_direction(random) : unit(unit(t.branch) + beside * any_direction(random));
+    t.branch = (1 / slow_growth(t, branch)) * branch;
+    const double near = std::pow(10, -9 + 8 * uniform_draw(random)), growth = random() & 1 ? 1 - near : 1 + near;
+    const sc_growth_pair pair = t.at(growth);
+    const sc_growth_touch found = sc_growth_solve(pair, 0, sc_growth_point{});
+    wrong += found.verdict != (growth < 1 ? SC_GROWTH_TOUCHING : SC_GROWTH_APART);
+    outside += found.low > growth + pair.rounding || found.high < growth - pair.rounding;
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(outside, 0);
 }
 
 }  // namespace

@@ -28,11 +28,9 @@ struct Shape {
   double n1, n2;
 };
 
-const Shape shapes[] = {{"ellipsoid", {0.1, 0.07, 0.05}, 2, 2},
-                        {"rounded", {0.1, 0.08, 0.06}, 4, 4},
-                        {"cylinder", {0.07, 0.07, 0.1}, 6, 2},
-                        {"cube", {0.08, 0.08, 0.08}, 8, 8},
-                        {"general", {0.1, 0.08, 0.06}, 5.3, 3.7}};
+const Shape shapes[] = {{"ellipsoid", {0.1, 0.07, 0.05}, 2, 2},   {"rounded", {0.1, 0.08, 0.06}, 4, 4},
+                        {"cylinder", {0.07, 0.07, 0.1}, 6, 2},    {"cube", {0.08, 0.08, 0.08}, 8, 8},
+                        {"general", {0.1, 0.08, 0.06}, 5.3, 3.7}, {"pointed", {0.1, 0.08, 0.09}, 1.25, 1.3}};
 
 struct Motion {
   sc_vec place, velocity, spin;

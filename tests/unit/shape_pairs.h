@@ -123,6 +123,30 @@ inline Touching any_touching(const Body& a, const Body& b, std::mt19937_64& r) {
   return touching(a, b, turn_b, n);
 }
 
+/// Growth distance of two bodies at a branch, by looking for the least support value among all directions with n.d = 1,
+/// in long double: convex in two unknowns, which two nested golden sections find whatever the shapes.
+inline Real slow_growth(const Touching& t, Vec branch) {
+  const Vec along = unit(branch);
+  const Vec across = unit(std::abs(along.x) < 0.6L ? Vec{0, along.z, -along.y} : Vec{along.y, -along.x, 0});
+  const Vec third = cross(along, across);
+  // Over angles, whose tangents are the unknowns.
+  const auto golden = [](auto f) {
+    const Real ratio = (std::sqrt(5.0L) - 1) / 2;
+    Real a = -1.5707963267948966L, b = -a, c = b - ratio * (b - a), d = a + ratio * (b - a), fc = f(std::tan(c)),
+         fd = f(std::tan(d));
+    for (int i = 0; i < 85; ++i) {
+      if (fc < fd) {
+        b = d, d = c, fd = fc, c = b - ratio * (b - a), fc = f(std::tan(c));
+      } else {
+        a = c, c = d, fc = fd, d = a + ratio * (b - a), fd = f(std::tan(d));
+      }
+    }
+    return std::min(fc, fd);
+  };
+  const auto inner = [&](Real u) { return golden([&](Real v) { return t.support(along + u * across + v * third); }); };
+  return std::sqrt(dot(branch, branch)) / golden(inner);
+}
+
 /// Two bodies and what to call them.
 struct Kind {
   const char* name;

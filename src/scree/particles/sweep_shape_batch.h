@@ -77,8 +77,10 @@ inline bool goes_on_in_lanes(const SweepView& v, std::int64_t c, const sc_vec& b
 /// Lets candidate c wait for others of its kind, or deals with it at once where there is nothing to search for.
 inline void queue_contact(const SweepView& v, std::int64_t c, ShapeQueues& queues, SweepFindings& findings) {
   const std::int64_t i = v.owner[c], j = v.partner[c];
-  const int kind = sc_growth_kind(v.shapes.forms[v.shapes.form[i]].gauge, v.shapes.forms[v.shapes.form[j]].gauge);
+  const sc_exponents of_i = v.shapes.forms[v.shapes.form[i]].gauge, of_j = v.shapes.forms[v.shapes.form[j]].gauge;
   const sc_vec branch = branch_of_candidate(v, c);
+  if (sc_growth_is_dual(of_i, of_j)) return contact_of_shapes(v, c, branch, findings);
+  const int kind = sc_growth_kind(of_i, of_j);
   if (goes_on_in_lanes(v, c, branch)) {
     queues.going_on[kind][queues.many[kind]] = static_cast<std::int32_t>(c);
     if (++queues.many[kind] == growth_lanes) run_lanes(v, queues, kind, findings);

@@ -26,6 +26,12 @@ SC_FN sc_symmetric sc_add_dyad(sc_symmetric m, real f, sc_vec v) {
   return m;
 }
 
+/// m v
+SC_FN sc_vec sc_symmetric_times(sc_symmetric m, sc_vec v) {
+  return sc_make_vec(m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,
+                     m.xz * v.x + m.yz * v.y + m.zz * v.z);
+}
+
 /// L D L^T of a positive definite matrix, with the inverse of D.
 typedef struct {
   real yx, zx, zy;  // L below its diagonal of ones

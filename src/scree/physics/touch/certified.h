@@ -1,19 +1,21 @@
 // Whether two superellipsoids touch, with a proof, and how.
 //
-// Newton's method from the last point or from the line of centres; where it does not come to a verdict the portal, and
-// Newton's method again from what that has found; and cuts where bodies have edges and next to no curvature. Nothing is
-// left open.
+// Newton's method from the last point or from the line of centres, where a body is pointed that for the normal first;
+// where it does not come to a verdict the portal, and Newton's method again from what that has found; and cuts where
+// bodies have edges and next to no curvature. Nothing is left open.
 #ifndef SCREE_PHYSICS_TOUCH_CERTIFIED_H
 #define SCREE_PHYSICS_TOUCH_CERTIFIED_H
 
 #include "scree/physics/touch/cuts.h"
+#include "scree/physics/touch/dual.h"
 
 /// How two bodies meet, in the frame of A.
 typedef struct {
   int verdict;
   real low, high;         // proven bracket of the growth distance
   real growth;            // best estimate of it
-  sc_growth_point start;  // for the next solve: the contact point from the centre of A [m], and the weight of B
+  sc_growth_point start;  // for the next solve: that point and the weight of B; of pairs with a pointed body the normal
+  sc_vec point;           // the contact point from the centre of A [m]
   sc_vec normal;          // unit, from A to B
   real support;           // h_A(n) + h_B(-n) [m]: distance of the centres along n where the bodies just touch
 } sc_growth_touch;
@@ -36,6 +38,7 @@ SC_FN sc_growth_touch sc_growth_touch_of(sc_growth_search s) {
   out.high = s.high;
   out.growth = s.growth;
   out.start = s.at;
+  out.point = s.at.point;
   out.normal = sc_scale(inverse, s.normal);
   out.support = s.weight * inverse;
   return out;
@@ -52,7 +55,7 @@ SC_FN sc_growth_touch sc_growth_touch_of_portal(sc_growth_pair p, const sc_porta
   out.low = low;
   out.high = high;
   out.growth = portal->low;
-  out.start.point = point;
+  out.start.point = out.point = point;
   out.start.share = portal->share;
   out.normal = sc_scale(inverse, portal->best);
   out.support = sc_dot(out.normal, p.branch) / portal->low;
@@ -99,7 +102,7 @@ SC_FN sc_growth_touch sc_growth_concentric(sc_growth_pair p) {
   const sc_portal_column c = sc_portal_column_of(p, x);
   out.verdict = SC_GROWTH_TOUCHING;
   out.low = out.high = out.growth = R(0);
-  out.start.point = sc_zero_vec();
+  out.start.point = out.point = sc_zero_vec();
   out.start.share = R(0.5);
   out.normal = x;
   out.support = c.height;
@@ -116,9 +119,44 @@ SC_FN sc_growth_touch sc_growth_resolve(sc_growth_pair p, int warm, sc_growth_se
 /// Whether two bodies have the same centre, for which there is no search.
 SC_FN int sc_growth_is_concentric(sc_growth_pair p) { return !(sc_norm(p.branch) > R(1e-12) * p.radius_b); }
 
+/// What the search for the normal has ended with.
+SC_FN sc_growth_touch sc_growth_touch_of_dual(sc_growth_pair p, const sc_dual* s, int verdict) {
+  const real inverse = R(1) / sc_norm(s->normal);
+  sc_growth_touch out;
+  out.verdict = verdict;
+  out.low = s->low;
+  out.high = s->high;
+  out.growth = s->low;
+  out.point = s->point;
+  out.start.share = s->share;
+  out.normal = sc_scale(inverse, s->normal);
+  out.support = sc_dot(out.normal, p.branch) / s->low;
+  return out;
+}
+
+/// How two bodies meet of which one is pointed. `start` holds the last normal, if `warm`: the one that goes with a
+/// point on such a body hangs on its last digits.
+SC_FN sc_growth_touch sc_growth_solve_dual(sc_growth_pair p, int warm, sc_growth_point start) {
+  const int again = warm && sc_dot(start.point, p.branch) > R(0);
+  sc_dual s = again ? sc_dual_from(p, start.point, p.branch, R(1e30)) : sc_dual_cold(p);
+  const int verdict = sc_dual_run(&s, p);
+  sc_growth_touch out;
+  if (verdict != SC_GROWTH_OPEN) {
+    out = sc_growth_touch_of_dual(p, &s, verdict);
+  } else {
+    sc_growth_search from = sc_growth_run(p, sc_growth_cold(p));
+    from.low = SC_MAX(from.low, s.low);
+    from.high = SC_MIN(from.high, s.high);
+    out = sc_growth_resolve(p, 0, from);
+  }
+  out.start.point = out.normal;
+  return out;
+}
+
 /// How two bodies meet. `start` may be where the solver ended before; `warm` says whether it is.
 SC_FN sc_growth_touch sc_growth_solve(sc_growth_pair p, int warm, sc_growth_point start) {
   if (sc_growth_is_concentric(p)) return sc_growth_concentric(p);
+  if (sc_growth_is_dual(p.gauge_a, p.gauge_b)) return sc_growth_solve_dual(p, warm, start);
   return sc_growth_resolve(p, warm, sc_growth_run(p, warm ? start : sc_growth_cold(p)));
 }
 

@@ -52,7 +52,7 @@ SC_FN sc_shape_touch sc_touch_in_world(sc_mat turn, sc_vec branch, sc_growth_tou
   sc_shape_touch out;
   out.verdict = found.verdict;
   out.normal = sc_turn(turn, found.normal);
-  out.arm = sc_turn(turn, found.start.point);
+  out.arm = sc_turn(turn, found.point);
   out.arm_second = sc_sub(out.arm, branch);
   out.support = found.support;
   out.overlap = (R(1) - found.growth) * found.support;
