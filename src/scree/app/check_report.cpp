@@ -261,6 +261,15 @@ void say_cohesion(const DerivedCohesion& cohesion, Lines& lines) {
   }
 }
 
+/// Linear cohesion between bodies whose effect surfaces are their own.
+void say_reach_of_cohesion(const Case& c, const Derived& d, Lines& lines) {
+  const auto reaches = [](const BodyKind& kind) { return kind.effect_gap > 0; };
+  if (c.contact.laws.cohesion != SC_COHESION_LINEAR || std::ranges::any_of(d.kinds, reaches)) return;
+  lines.push_back({"cohesion", "begins at the touch: particles.effect_gap is 0, so that it only softens the spring",
+                   Verdict::warning,
+                   "give particles.effect_gap: how far beyond the bodies it acts, over both of two alike"});
+}
+
 void say_cost(const DerivedCost& cost, Lines& lines) {
   const std::optional<double> free = available_memory();
   const bool short_of = free && cost.memory > *free;
@@ -330,6 +339,7 @@ Lines all_lines(const Case& c, const Derived& d, const std::optional<OutputPlace
   say_fluid(c, d, lines);
   say_lift(c, d, lines);
   if (d.cohesion) say_cohesion(*d.cohesion, lines);
+  say_reach_of_cohesion(c, d, lines);
   say_cost(d.cost, lines);
   say_outputs(d.cost, place, lines);
   return lines;

@@ -56,6 +56,7 @@ void fill_summary(const RunLoop& run, Summary& s) {
   s.wall_contacts = static_cast<std::uint64_t>(sim.tally().wall_contacts);
   s.ranks = sim.ranks().count();
   s.sharing = sim.sharing();
+  s.sweeps = sweeps_of(sim.sweeps());
   s.threads = sim.threads();
   s.ledger = ledger_of(run.outputs);
   s.state_hash = sim.state_hash();
@@ -187,6 +188,8 @@ RunResult conduct(Simulation& simulation, const Beginning& beginning, const RunO
   result.summary.wall_seconds = seconds_since(begin);
   finish_summary(directory, result);
   result.balance = outputs.balance();
+  const std::string hint = hint_of(simulation.sweeps(), c.hard.sweeps);
+  if (!hint.empty()) std::fprintf(stderr, "%s\n", hint.c_str());
   if (!options.quiet) say_end(result, options);
   return result;
 }

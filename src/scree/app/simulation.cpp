@@ -133,6 +133,7 @@ void Simulation::collide_particles() {
   in_the_middle.rotation = frame_rotation(fields_, middle);
   push_and_hold(system_, lists_, *system_.hard, in_the_middle, field, hard_);
   take(hard_.findings);
+  count_sweeps(sweeps_, hard_.collisions, hard_.rest);
   note_ways(hard_.way);
 }
 

@@ -13,6 +13,7 @@
 #include "scree/app/plane_watches.h"
 #include "scree/app/prescribed.h"
 #include "scree/app/sticking.h"
+#include "scree/app/sweep_tally.h"
 #include "scree/app/wall_motion.h"
 #include "scree/base/stopwatch.h"
 #include "scree/input/case.h"
@@ -103,6 +104,8 @@ class Simulation {
   /// The impact that the stickiness number is about; empty without linear cohesion.
   const std::optional<CohesiveImpact>& typical_impact() const { return typical_impact_; }
   const Tally& tally() const { return tally_; }
+  /// Of the steps that this object has made.
+  const SweepTally& sweeps() const { return sweeps_; }
   const SweepFindings& findings() const { return findings_; }
   const StageSeconds& stages() const { return stages_; }
   StageSeconds& stages() { return stages_; }
@@ -159,6 +162,7 @@ class Simulation {
   Clock clock_;
   std::optional<CohesiveImpact> typical_impact_;
   Tally tally_;
+  SweepTally sweeps_;
   SweepFindings findings_, own_findings_;  // of all ranks, of this one
   StageSeconds stages_;
   Sample sample_;

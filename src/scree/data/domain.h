@@ -5,6 +5,8 @@
 #include <array>
 #include <limits>
 
+#include "scree/physics/vec.h"
+
 namespace scree {
 
 /// An axis-aligned box. Along a periodic axis positions live in [min, max) and differences are taken to the nearest
@@ -32,6 +34,11 @@ struct Domain {
     if (difference > half_period(axis)) difference -= period(axis);
     if (difference < -half_period(axis)) difference += period(axis);
     return difference;
+  }
+
+  /// The vector between two places, to the nearest image.
+  sc_vec nearest_vector(const double* from, const double* to) const {
+    return sc_make_vec(nearest(0, to[0] - from[0]), nearest(1, to[1] - from[1]), nearest(2, to[2] - from[2]));
   }
 
   /// Where a coordinate stops being in the box: infinitely far beyond open faces.

@@ -36,6 +36,15 @@ void check_size(const Check& check, const std::string& path, const SizeKeys& siz
                fmt::format("min is {} m, max is {} m", size.min, size.max));
 }
 
+/// What to write in place of a quaternion that turns but is not of length 1: "write [0.7071068, 0.7071068, 0, 0]".
+std::string same_turn(const std::vector<double>& q, double square) {
+  if (q.size() != 4 || !(square > 0))
+    return "of a turn by an angle about an axis: cos(angle/2), sin(angle/2) times the axis";
+  const double length = std::sqrt(square);
+  return fmt::format("for that rotation write [{:.9g}, {:.9g}, {:.9g}, {:.9g}]", q[0] / length, q[1] / length,
+                     q[2] / length, q[3] / length);
+}
+
 void check_shape(const Check& check, std::size_t index) {
   constexpr double largest_ratio = 20, length_tolerance = 1e-6;
   const ParticleKeys& p = check.c.particles[index];
@@ -57,7 +66,8 @@ void check_shape(const Check& check, std::size_t index) {
   if (!o.quaternion.empty() && (o.quaternion.size() != 4 || std::abs(square - 1) > length_tolerance))
     check.fail("E104", turn + ".quaternion", "a quaternion must be four numbers w, x, y, z of length 1",
                o.quaternion.size() == 4 ? fmt::format("its length is {:.7g}", std::sqrt(square))
-                                        : fmt::format("{} given", o.quaternion.size()));
+                                        : fmt::format("{} given", o.quaternion.size()),
+               same_turn(o.quaternion, square));
   if (o.axis == Vec3{} && o.type != "random")
     check.fail("E167", turn + ".axis", "the axis of the rotation has no direction", "it is (0, 0, 0)");
   if (check.c.gravity.type == "rotating")

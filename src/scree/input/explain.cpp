@@ -40,6 +40,21 @@ std::string explain_section(const Section& section) {
   return out;
 }
 
+/// The keys that have the word among their choices; of many their names alone.
+std::string explain_choice(const std::string& word) {
+  std::vector<std::string> names, texts;
+  for_each_section(case_section(), [&](const Section& section) {
+    for (const Key& key : section.keys) {
+      if (std::ranges::find(key.choices, word) == key.choices.end()) continue;
+      names.push_back(full_name(section, key));
+      texts.push_back(explain_key(section, key));
+    }
+  });
+  if (names.empty()) return {};
+  const std::string head = fmt::format("'{}' is a value of {}\n", word, fmt::join(names, ", "));
+  return names.size() > 3 ? head : fmt::format("{}\n{}", head, fmt::join(texts, "\n"));
+}
+
 std::string overview() {
   std::string out = "Tables of the case file:\n";
   for_each_section(case_section(), [&](const Section& section) {
@@ -59,6 +74,7 @@ std::vector<std::string> known_words() {
     for (const Key& key : section.keys) {
       words.push_back(full_name(section, key));
       words.push_back(key.name);
+      words.insert(words.end(), key.choices.begin(), key.choices.end());
     }
   });
   for (const ErrorCode& code : error_codes()) words.emplace_back(code.code);
@@ -84,6 +100,8 @@ std::string explain(const std::string& key_or_code) {
       if (key_or_code == key.name || key_or_code == full_name(section, key))
         out += (out.empty() ? "" : "\n") + explain_key(section, key);
   });
+  if (!out.empty()) return out;
+  out = explain_choice(key_or_code);
   if (!out.empty()) return out;
   const std::string meant = did_you_mean(key_or_code, known_words());
   throw InputError(fmt::format("nothing is known about '{}'{}", key_or_code,

@@ -47,6 +47,7 @@ std::string summary_text(const Summary& s) {
                {"ranks", s.ranks},
                {"threads", s.threads},
                {"sharing", table(s.sharing)},
+               {"sweeps", table(s.sweeps)},
                {"ledger", table(s.ledger)},
                {"state_hash", s.state_hash}};
   if (s.cells > 0) {

@@ -32,6 +32,7 @@ struct Summary {
   std::uint64_t cells = 0;                              // of the fluid; 0 without one, and then not written
   int ranks = 1, threads = 1;                           // processes; threads of the root
   std::vector<std::pair<std::string, double>> sharing;  // how several ranks shared the steps
+  std::vector<std::pair<std::string, double>> sweeps;   // of hard collisions
   std::vector<std::pair<std::string, double>> ledger;   // the last books, names as in series.csv
   std::string state_hash;                               // SHA-256 of the final state
   std::string fluid_hash;                               // and of the fluid; empty without one, and then not written

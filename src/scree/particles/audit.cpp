@@ -12,12 +12,8 @@ namespace scree {
 namespace {
 
 double distance2(const ParticleSystem& s, std::size_t i, std::size_t j) {
-  double d2 = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double d = s.domain.nearest(k, s.particles.motion.row(j)[k] - s.particles.motion.row(i)[k]);
-    d2 += d * d;
-  }
-  return d2;
+  const sc_vec branch = s.domain.nearest_vector(s.particles.motion.row(i), s.particles.motion.row(j));
+  return sc_dot(branch, branch);
 }
 
 double reach(const Particles& p, std::size_t i) { return p.motion.row(i)[lane::radius] + p.effect_excess[i]; }

@@ -81,10 +81,8 @@ sc_body_gap gap_of_shape(const ParticleSystem& s, std::size_t p, std::int32_t w)
 }
 
 sc_vec branch_of_pair(const ParticleSystem& s, std::size_t c) {
-  const double* a = s.particles.motion.row(s.contacts.pairs.owner[c]);
-  const double* b = s.particles.motion.row(s.contacts.pairs.partner[c]);
-  return sc_make_vec(s.domain.nearest(0, b[0] - a[0]), s.domain.nearest(1, b[1] - a[1]),
-                     s.domain.nearest(2, b[2] - a[2]));
+  return s.domain.nearest_vector(s.particles.motion.row(s.contacts.pairs.owner[c]),
+                                 s.particles.motion.row(s.contacts.pairs.partner[c]));
 }
 
 sc_shape_touch touch_of_shapes(const ParticleSystem& s, std::size_t c) {

@@ -64,8 +64,7 @@ double overlap_of(const Particles& particles, std::size_t i, std::size_t j, cons
   const double *a = particles.motion.row(i), *b = particles.motion.row(j);
   const double overlap = a[lane::radius] + b[lane::radius] - std::sqrt(distance2(a, b, setting.domain));
   if (overlap <= 0 || (is_sphere(particles, i) && is_sphere(particles, j))) return overlap;
-  const sc_vec branch = sc_make_vec(setting.domain.nearest(0, b[0] - a[0]), setting.domain.nearest(1, b[1] - a[1]),
-                                    setting.domain.nearest(2, b[2] - a[2]));
+  const sc_vec branch = setting.domain.nearest_vector(a, b);
   const sc_shape_touch touch =
       touch_shapes(body_shape(particles, i, setting.forms), body_shape(particles, j, setting.forms), branch, false, {});
   return touch.verdict == SC_GROWTH_TOUCHING ? touch.overlap : 0;

@@ -48,11 +48,8 @@ void OccupiedSpace::add(const std::array<double, 3>& position, double radius,
 bool OccupiedSpace::overlap(const std::array<double, 3>& position, const sc_body_shape* body,
                             const Sphere& sphere) const {
   if (!body || sphere.body < 0) return true;
-  double branch[3];
-  for (std::size_t k = 0; k < 3; ++k)
-    branch[k] = domain_.nearest(static_cast<int>(k), sphere.position[k] - position[k]);
-  const sc_vec d = sc_make_vec(branch[0], branch[1], branch[2]);
-  return touch_shapes(*body, bodies_[sphere.body], d, false, {}).verdict == SC_GROWTH_TOUCHING;
+  const sc_vec branch = domain_.nearest_vector(position.data(), sphere.position.data());
+  return touch_shapes(*body, bodies_[sphere.body], branch, false, {}).verdict == SC_GROWTH_TOUCHING;
 }
 
 bool OccupiedSpace::is_free(const std::array<double, 3>& position, double radius,

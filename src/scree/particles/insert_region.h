@@ -27,12 +27,8 @@ inline double wrapped(double x, const Domain& domain, int axis) {
 
 /// The vector from a to b, to the nearest image along periodic axes, squared [m2].
 inline double distance2(const double* a, const double* b, const Domain& domain) {
-  double sum = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double d = domain.nearest(k, b[k] - a[k]);
-    sum += d * d;
-  }
-  return sum;
+  const sc_vec branch = domain.nearest_vector(a, b);
+  return sc_dot(branch, branch);
 }
 
 }  // namespace scree

@@ -7,6 +7,10 @@
 namespace scree {
 namespace {
 
+/// Through the points of a contact, and what resists turning there, in one visit. A stack of fifteen boxes needs six
+/// times as many sweeps with one; more than two save no sweeps.
+constexpr int rounds = 2;
+
 void hit(HardBody& body, sc_vec arm, double sign, sc_vec impulse) {
   body.velocity = sc_add_scaled(body.velocity, sign * body.inverse_mass, impulse);
   const sc_vec turn = sc_turn(body.inverse_inertia, sc_cross(arm, impulse));
@@ -57,8 +61,8 @@ double visit(HardContacts& h, Bearings& bearings, std::size_t k) {
   for (std::uint32_t p = 0; p < c.count; ++p) points[p].before = points[p].held;
   BearingTurn* turn = bearings.turns.empty() || bearings.turns[k].radius == 0 ? nullptr : &bearings.turns[k];
   if (turn) turn->before = turn->couple;
-  const std::uint32_t parts = c.count + (turn && c.count ? 1 : 0);
-  for (std::uint32_t round = 0; round < (parts > 1 ? parts + 1 : 1); ++round) {
+  const bool together = c.count > 1 || turn;
+  for (int round = 0; round < (together ? rounds : 1); ++round) {
     go_round(a, b, points, c.count);
     if (turn) turn_round(a, b, *turn, points, c.count);
   }

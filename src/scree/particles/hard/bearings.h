@@ -43,9 +43,8 @@ struct Bearings {
   std::vector<double> change;      // of every contact by the last visit: change times K times change [J]
 };
 
-/// Visits a contact once: every point gets the impulse that it needs, again and again, since the points of a contact
-/// act on the same two bodies: a stack of boxes needs four times as many sweeps without. Notes what that changed.
-/// Returns the square of the largest speed that it changed [m2/s2].
+/// Visits a contact once: every point gets the impulse that it needs, twice, since the points of a contact act on the
+/// same two bodies. Notes what that changed. Returns the square of the largest speed that it changed [m2/s2].
 double visit(HardContacts& contacts, Bearings& bearings, std::size_t k);
 
 }  // namespace scree

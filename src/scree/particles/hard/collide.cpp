@@ -37,7 +37,7 @@ double strike(HardContacts& h, HardContact& c, HardPoint& p, double threshold, b
 
 }  // namespace
 
-void collide(HardContacts& h, const HardSettings& settings, double gravity_speed) {
+SweepsEnd collide(HardContacts& h, const HardSettings& settings, double gravity_speed) {
   double fastest = 0;
   for (HardContact& c : h.all) {
     for (HardPoint& p : h.points_of(c)) {
@@ -49,7 +49,7 @@ void collide(HardContacts& h, const HardSettings& settings, double gravity_speed
   }
   fastest = h.ranks.largest(fastest);
   const double threshold = threshold_of(settings, gravity_speed);
-  if (fastest <= threshold) return;
+  if (fastest <= threshold) return {};
   const auto visit = [&](HardContact& c) {
     double most = 0;
     const auto points = h.points_of(c);
@@ -59,11 +59,17 @@ void collide(HardContacts& h, const HardSettings& settings, double gravity_speed
   };
   if (settings.sequential) {
     for (HardContact& c : h.all) visit(c);
-    return;
+    return {1, 0};
   }
-  const auto sweep = [&] { return sweep_places(h, [&](std::size_t k) { return visit(h.all[h.order[k]]); }); };
-  for (int k = 0; k < settings.sweeps; ++k)
-    if (h.ranks.largest(sweep()) <= settings.residual * settings.residual * fastest) break;
+  const auto sweep_all = [&] {
+    return h.ranks.largest(sweep_places(h, [&](std::size_t k) { return visit(h.all[h.order[k]]); }));
+  };
+  double left = 0;
+  for (int sweep = 1; sweep <= settings.sweeps; ++sweep) {
+    left = sweep_all();
+    if (left <= settings.residual * settings.residual * fastest) return {sweep, 0};
+  }
+  return {settings.sweeps, left / fastest};
 }
 
 }  // namespace scree

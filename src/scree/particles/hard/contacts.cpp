@@ -23,13 +23,9 @@ bool is_pair_of_spheres(const ParticleSystem& s, std::size_t c) {
 bool bounding_spheres_touch(const ParticleSystem& s, std::size_t c) {
   const double *a = s.particles.motion.row(s.contacts.pairs.owner[c]),
                *b = s.particles.motion.row(s.contacts.pairs.partner[c]);
-  double square = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double d = s.domain.nearest(k, b[k] - a[k]);
-    square += d * d;
-  }
+  const sc_vec branch = s.domain.nearest_vector(a, b);
   const double radii = a[lane::radius] + b[lane::radius];
-  return square <= radii * radii;
+  return sc_dot(branch, branch) <= radii * radii;
 }
 
 /// Whether two bodies of which one is no sphere touch, decided with a proof. Notes where the search ended, or how far

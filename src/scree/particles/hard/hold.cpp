@@ -113,14 +113,16 @@ void begin(HardContacts& h, const Bearings& bearings) {
   });
 }
 
-void sweep_all(HardContacts& h, Bearings& bearings, const HardSettings& settings, double fastest) {
+SweepsEnd sweep_all(HardContacts& h, Bearings& bearings, const HardSettings& settings, double fastest) {
   const double enough = settings.residual * fastest;
   Course course(h);
+  double left = 0;
   for (int sweep = 1; sweep <= settings.sweeps; ++sweep) {
-    const double most = sweep_places(h, [&](std::size_t k) { return visit(h, bearings, k); });
-    if (h.ranks.largest(most) <= enough * enough) return;
+    left = h.ranks.largest(sweep_places(h, [&](std::size_t k) { return visit(h, bearings, k); }));
+    if (left <= enough * enough) return {sweep, 0};
     if (sweep < settings.sweeps) course.go_on(h, bearings);
   }
+  return {settings.sweeps, std::sqrt(left) / fastest};
 }
 
 /// Whether the tangential impulse has reached its limit.
@@ -156,14 +158,15 @@ void conclude(const Rest& rest, HardContact& c) {
 
 }  // namespace
 
-void hold(HardContacts& h, const std::vector<HardBody>& before, const HardSettings& settings, double gravity_speed,
-          double time) {
+SweepsEnd hold(HardContacts& h, const std::vector<HardBody>& before, const HardSettings& settings, double gravity_speed,
+               double time) {
   const Rest rest{h, before, threshold_of(settings, gravity_speed), time};
   Bearings bearings;
   const double fastest = prepare_all(rest, bearings);
+  SweepsEnd end;
   if (fastest > 0) {
     begin(h, bearings);
-    sweep_all(h, bearings, settings, fastest);
+    end = sweep_all(h, bearings, settings, fastest);
     tell_velocities(h, h.all_copies);
   }
   visit_places(h, [&](std::size_t k) {
@@ -176,6 +179,7 @@ void hold(HardContacts& h, const std::vector<HardBody>& before, const HardSettin
     conclude(rest, c);
     return 0.0;
   });
+  return end;
 }
 
 }  // namespace scree

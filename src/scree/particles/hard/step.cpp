@@ -8,7 +8,6 @@
 #include "scree/particles/hard/books.h"
 #include "scree/particles/hard/colours.h"
 #include "scree/particles/hard/look.h"
-#include "scree/particles/hard/phases.h"
 #include "scree/particles/hard/relocate.h"
 #include "scree/particles/shapes.h"
 
@@ -74,7 +73,7 @@ void collide_and_drift(ParticleSystem& s, ContactLists& lists, const HardSetting
   colour_contacts(h, lists.halo);
   step.findings = count(s, h);
   step.relocated = relocate(s, h, settings, move.gravity);
-  collide(h, settings, move.kick * sc_norm(move.gravity));
+  step.collisions = collide(h, settings, move.kick * sc_norm(move.gravity));
   count_impacts(h, step.findings);
   book_contacts(s.particles, h, hard_collisions);
   drift(s.particles, h.bodies, 0.5 * move.drift);
@@ -91,7 +90,7 @@ void push_and_hold(ParticleSystem& s, ContactLists& lists, const HardSettings& s
   tell_velocities(h, h.all_copies);
   if (!settings.sequential) {
     look_again(s, h);
-    hold(h, step.before, settings, move.kick * sc_norm(move.gravity), move.drift);
+    step.rest = hold(h, step.before, settings, move.kick * sc_norm(move.gravity), move.drift);
     book_contacts(s.particles, h, hard_rest);
   }
   const SweepView view = view_of(s, lists, move, {}, field);

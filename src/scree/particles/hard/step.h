@@ -3,6 +3,7 @@
 
 #include "scree/particles/hard/contacts.h"
 #include "scree/particles/hard/motion.h"
+#include "scree/particles/hard/phases.h"
 #include "scree/particles/hard/settings.h"
 
 namespace scree {
@@ -16,6 +17,7 @@ struct HardStep {
   double way = 0;         // the longest way of a body in all [m]
   double stride = 0;      // the longest way by its velocity, over the radius of a sphere inside the body [-]
   double own_stride = 0;  // that of this rank's bodies [-]
+  SweepsEnd collisions, rest;
   SweepFindings findings;
 };
 
