@@ -311,6 +311,16 @@ TEST(Derived, NecksCountInThePeriod) {
   EXPECT_THROW(Simulation(c, 1), InputError);
 }
 
+TEST(Derived, LinearCohesionThatReachesNowhereIsWarnedOf) {
+  Case c = linear_case();
+  c.contact.laws.cohesion = SC_COHESION_LINEAR;
+  for (MaterialKeys& m : c.materials) m.cohesion_stiffness = 10;
+  for (ParticleKeys& p : c.particles) p.effect_gap = 0;
+  EXPECT_NE(check_warnings(c, derive(c)).find("particles.effect_gap is 0"), std::string::npos);
+  c.particles[0].effect_gap = 1e-4;
+  EXPECT_EQ(check_warnings(c, derive(c)).find("particles.effect_gap is 0"), std::string::npos);
+}
+
 TEST(Derived, FluidNumbers) {
   Case c = linear_case();
   c.walls.clear();

@@ -37,6 +37,10 @@ TEST(Explain, TellsWhatTheTablesSay) {
   EXPECT_NE(explain("walls").find("rectangle"), std::string::npos);
   EXPECT_NE(explain("E102").find("unknown key"), std::string::npos);
   EXPECT_NE(explain("units").find("angstrom"), std::string::npos);
+  // Words that are a value of some key.
+  EXPECT_NE(explain("certified").find("contact.detection  in [contact]"), std::string::npos);
+  EXPECT_NE(explain("superellipsoid").find("particles.shape  in [[particles]]"), std::string::npos);
+  EXPECT_NE(explain("none").find("'none' is a value of gravity.type, "), std::string::npos) << explain("none");
   EXPECT_NE(explain("").find("particles.diameter"), std::string::npos);
 }
 

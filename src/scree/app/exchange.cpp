@@ -29,6 +29,15 @@ void from_words(const Archive& archive, const char* name, T* values, std::size_t
   if (count > 0) std::memcpy(static_cast<void*>(values), words.data(), count * sizeof(T));
 }
 
+/// Tells before the run if the largest particles of a feed, turned as its first ones, are wider than the region.
+void refuse_what_does_not_fit(const Feed& feed, const ParticleGroup& group, const InsertionSetting& setting) {
+  const std::int64_t turns = group.shape.shape.is_sphere ? 1 : std::min<std::int64_t>(feed.total_count, 1000);
+  for (std::int64_t number = 0; number < turns; ++number) {
+    const Newcomer newcomer{static_cast<std::uint64_t>(number), max_diameter(group.sizes), {}};
+    range_of_places(group, newcomer, body_of(group, feed.group, newcomer, setting), setting);
+  }
+}
+
 }  // namespace
 
 Exchange::Exchange(const Case& c, std::int64_t next_id)
@@ -43,9 +52,11 @@ Exchange::Exchange(const Case& c, std::int64_t next_id)
   const std::vector<ParticleGroup> all = build_groups(c, Takeover::skip);
   InsertionSetting setting;
   setting.domain = {c.domain.min, c.domain.max, c.domain.periodic};
+  setting.seed = seed_;
+  setting.forms = forms_of(all);
   for (const Feed& feed : feeds_) {
     groups_.push_back(all[feed.group]);
-    random_place(groups_.back(), feed.group, {0, max_diameter(groups_.back().sizes), {}}, 0, setting);
+    refuse_what_does_not_fit(feed, groups_.back(), setting);
   }
 }
 

@@ -134,11 +134,13 @@ OccupiedSpace occupied(const FeedContext& k, std::vector<double> due, const Newc
 /// Tries places for a particle; true, and its place in `newcomer`, if one is free, which is then taken.
 bool find_room(const FeedContext& k, OccupiedSpace& space, FeedState& state, Newcomer& newcomer) {
   const double excess = 0.5 * k.group.effect_gap, reach = radius_around(k.group.shape, newcomer.diameter) + excess;
-  const std::optional<sc_body_shape> body = grown(body_of(k.group, k.feed.group, newcomer, k.setting), excess);
+  const std::optional<sc_body_shape> plain = body_of(k.group, k.feed.group, newcomer, k.setting),
+                                     body = grown(plain, excess);
+  const PlaceRange range = range_of_places(k.group, newcomer, plain, k.setting);
   for (std::uint64_t attempt = 0; attempt < k.group.attempts; ++attempt) {
     newcomer.position =
-        random_place(k.group, k.feed.group, newcomer, static_cast<std::uint32_t>(state.tries++), k.setting);
-    if (!clear_of_walls(k.setting.walls, newcomer.position, reach)) continue;
+        random_place(range, k.feed.group, newcomer.number, static_cast<std::uint32_t>(state.tries++), k.setting);
+    if (!clear_of_walls(k.setting.walls, newcomer.position, reach, body)) continue;
     if (!space.is_free(newcomer.position, reach, body)) continue;
     space.add(newcomer.position, reach, body);
     return true;

@@ -48,8 +48,8 @@ struct FeedContext {
 std::optional<std::vector<std::int32_t>> in_the_way(const FeedContext& context, const FeedState& state);
 
 /// Adds the particles of a feed that are due now and find room: at random places of the group's region, where their
-/// effect surfaces touch no particle that stays and none of the other newcomers, which is decided as contacts are, and
-/// the spheres around them no wall. The next one waits when it
+/// effect surfaces touch no wall, no particle that stays and none of the other newcomers, which is decided as contacts
+/// are. The next one waits when it
 /// finds none in group.attempts tries, and all later ones with it, so that the sizes keep their distribution; it goes
 /// on trying at the next call. A particle is due when half of it is, so that the sums of the feed follow the rate
 /// without bias. Throws PhysicsError when the one that waits is later than max_delay.

@@ -49,12 +49,12 @@ WallOverlap deepest_overlap(const Walls& walls, const Particles& particles, std:
   return deepest_overlap(walls, body_shape(particles, i, forms), sc_make_vec(m[0], m[1], m[2]));
 }
 
-/// True if the centre, or with `margin` the sphere of that radius, is in a room; also true when there are no rooms.
-bool in_a_room(const Walls& walls, const double* position, double margin) {
+/// True if the centre, or with a `margin` to each side the body, is in a room; also true when there are no rooms.
+bool in_a_room(const Walls& walls, const double* position, const std::array<double, 3>& margin) {
   if (walls.rooms.empty()) return true;
   return std::any_of(walls.rooms.begin(), walls.rooms.end(), [&](const Room& room) {
     for (int k = 0; k < 3; ++k)
-      if (position[k] < room.min[k] + margin || position[k] > room.max[k] - margin) return false;
+      if (position[k] < room.min[k] + margin[k] || position[k] > room.max[k] - margin[k]) return false;
     return true;
   });
 }
@@ -78,10 +78,12 @@ std::string named(const Particles& particles, std::size_t i, const std::vector<P
 
 }  // namespace
 
-bool clear_of_walls(const Walls* walls, const std::array<double, 3>& position, double radius) {
+bool clear_of_walls(const Walls* walls, const std::array<double, 3>& position, double radius,
+                    const std::optional<sc_body_shape>& body) {
   if (!walls) return true;
-  if (!in_a_room(*walls, position.data(), radius)) return false;
-  return deepest_overlap(*walls, position.data(), radius).depth == 0;
+  if (!in_a_room(*walls, position.data(), half_widths(radius, body))) return false;
+  if (!body || body->form.is_sphere) return deepest_overlap(*walls, position.data(), radius).depth == 0;
+  return deepest_overlap(*walls, *body, {position[0], position[1], position[2]}).depth == 0;
 }
 
 void check_places(const Particles& particles, const std::vector<ParticleGroup>& groups,
@@ -96,7 +98,7 @@ void check_places(const Particles& particles, const std::vector<ParticleGroup>& 
                         "  = help: move the particle or enlarge the domain",
                         named(particles, i, groups), domain.min[k], domain.max[k], "xyz"[k]));
     if (!setting.walls || m[lane::inverse_mass] == 0) continue;
-    if (!in_a_room(*setting.walls, m, 0.0))
+    if (!in_a_room(*setting.walls, m, {}))
       throw InputError(fmt::format("{} lies outside the box '{}'\n  = help: move the particle into the box",
                                    named(particles, i, groups),
                                    setting.walls->names[setting.walls->rooms.front().owner]));

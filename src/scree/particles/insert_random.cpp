@@ -73,25 +73,17 @@ bool OccupiedSpace::is_free(const std::array<double, 3>& position, double radius
 
 namespace {
 
-/// The range of centres along each axis, for bodies of one radius.
-struct Range {
-  std::array<double, 3> low{}, width{};
-};
-
-Range range_of_centres(const ParticleGroup& group, const Domain& domain, double radius) {
-  Range range;
-  for (int k = 0; k < 3; ++k) {
-    const bool anywhere = spans_period(group, domain, k) || region_extent(group, k) == 0;
-    const double margin = anywhere ? 0.0 : radius;
-    range.low[k] = group.region_min[k] + margin;
-    range.width[k] = region_extent(group, k) - 2 * margin;
-    if (range.width[k] < 0)
-      throw InputError(fmt::format(
-          "particle group '{}': particles {:g} m in diameter do not fit into the region, {:g} m wide along {}\n"
-          "  = help: enlarge the region or reduce the diameter",
-          group.name, 2 * radius, region_extent(group, k), "xyz"[k]));
-  }
-  return range;
+[[noreturn]] void refuse_narrow_region(const ParticleGroup& group, const Newcomer& newcomer, double width, int axis) {
+  if (group.shape.shape.is_sphere)
+    throw InputError(fmt::format(
+        "particle group '{}': particles {:g} m in diameter do not fit into the region, {:g} m wide along {}\n"
+        "  = help: enlarge the region or reduce the diameter",
+        group.name, width, region_extent(group, axis), "xyz"[axis]));
+  throw InputError(fmt::format(
+      "particle group '{}': its particle {} is {:g} m wide along {} as it is turned and does not fit into the region, "
+      "{:g} m wide there\n"
+      "  = help: enlarge the region, make the particles smaller, or turn them   (scree explain particles.orientation)",
+      group.name, newcomer.number, width, "xyz"[axis], region_extent(group, axis)));
 }
 
 [[noreturn]] void refuse_crowd(const ParticleGroup& group, const std::vector<double>& diameters,
@@ -107,8 +99,9 @@ Range range_of_centres(const ParticleGroup& group, const Domain& domain, double 
   throw InputError(
       fmt::format("particle group '{}': only {} of {} particles found room at random places{} after {} tries\n"
                   "  = help: place fewer particles, enlarge the region, raise `attempts`, or use insert = \"lattice\"; "
-                  "equal spheres placed one by one at random jam near a solid fraction of 0.38",
-                  group.name, placed, order.size(), fractions, group.attempts * order.size()));
+                  "equal spheres placed one by one at random jam near a solid fraction of 0.38{}",
+                  group.name, placed, order.size(), fractions, group.attempts * order.size(),
+                  group.shape.shape.is_sphere ? "" : ", long and flat bodies below"));
 }
 
 }  // namespace
@@ -122,12 +115,25 @@ std::optional<sc_body_shape> body_of(const ParticleGroup& group, std::uint32_t i
                        sc_quat_mat(sc_quat_of_length_one(orientation))};
 }
 
-std::array<double, 3> random_place(const ParticleGroup& group, std::uint32_t index, const Newcomer& newcomer,
+PlaceRange range_of_places(const ParticleGroup& group, const Newcomer& newcomer,
+                           const std::optional<sc_body_shape>& body, const InsertionSetting& setting) {
+  const std::array<double, 3> half = half_widths(radius_around(group.shape, newcomer.diameter), body);
+  PlaceRange range;
+  for (int k = 0; k < 3; ++k) {
+    const bool anywhere = spans_period(group, setting.domain, k) || region_extent(group, k) == 0;
+    const double margin = anywhere ? 0.0 : half[k];
+    range.low[k] = group.region_min[k] + margin;
+    range.width[k] = region_extent(group, k) - 2 * margin;
+    if (range.width[k] < 0) refuse_narrow_region(group, newcomer, 2 * margin, k);
+  }
+  return range;
+}
+
+std::array<double, 3> random_place(const PlaceRange& range, std::uint32_t index, std::uint64_t number,
                                    std::uint32_t attempt, const InsertionSetting& setting) {
-  const Range range = range_of_centres(group, setting.domain, radius_around(group.shape, newcomer.diameter));
   const std::uint32_t stream = random_stream(Purpose::position, index);
-  const auto xy = uniform_pair({setting.seed, stream, newcomer.number, 2 * attempt});
-  const double z = uniform({setting.seed, stream, newcomer.number, 2 * attempt + 1});
+  const auto xy = uniform_pair({setting.seed, stream, number, 2 * attempt});
+  const double z = uniform({setting.seed, stream, number, 2 * attempt + 1});
   const std::array<double, 3> u{xy[0], xy[1], z};
   std::array<double, 3> x;
   for (int k = 0; k < 3; ++k) x[k] = wrapped(range.low[k] + u[k] * range.width[k], setting.domain, k);
@@ -146,11 +152,13 @@ std::vector<std::array<double, 3>> random_positions(const ParticleGroup& group, 
   for (std::size_t k = 0; k < order.size(); ++k) {
     const std::uint32_t i = order[k];
     const double radius = radius_around(group.shape, diameters[i]);
-    const std::optional<sc_body_shape> body = body_of(group, index, {i, diameters[i], {}}, setting);
+    const Newcomer newcomer{i, diameters[i], {}};
+    const std::optional<sc_body_shape> body = body_of(group, index, newcomer, setting);
+    const PlaceRange range = range_of_places(group, newcomer, body, setting);
     for (std::uint32_t attempt = 0;; ++attempt) {
       if (tries_left-- == 0) refuse_crowd(group, diameters, order, k);
-      positions[i] = random_place(group, index, {i, diameters[i], {}}, attempt, setting);
-      if (clear_of_walls(setting.walls, positions[i], radius) && space.is_free(positions[i], radius, body)) break;
+      positions[i] = random_place(range, index, i, attempt, setting);
+      if (clear_of_walls(setting.walls, positions[i], radius, body) && space.is_free(positions[i], radius, body)) break;
     }
     space.add(positions[i], radius, body);
   }

@@ -54,9 +54,17 @@ class OccupiedSpace {
   std::vector<sc_body_shape> bodies_;
 };
 
-/// Place number `attempt` [m] that is tried for a particle of group `index`: uniform over the region, the body inside.
-/// Throws InputError when it is too large for the region.
-std::array<double, 3> random_place(const ParticleGroup& group, std::uint32_t index, const Newcomer& newcomer,
+/// Where the centre of a body may be so that it lies in the region of its group.
+struct PlaceRange {
+  std::array<double, 3> low{}, width{};  // [m]
+};
+
+/// `body`: as body_of() tells. Throws InputError when it is too large for the region.
+PlaceRange range_of_places(const ParticleGroup& group, const Newcomer& newcomer,
+                           const std::optional<sc_body_shape>& body, const InsertionSetting& setting);
+
+/// Place number `attempt` [m] that is tried for a particle of group `index`, by its number: uniform over the range.
+std::array<double, 3> random_place(const PlaceRange& range, std::uint32_t index, std::uint64_t number,
                                    std::uint32_t attempt, const InsertionSetting& setting);
 
 /// Places the particles of a group, the largest first, where they touch neither what is in `space` nor a wall, and adds

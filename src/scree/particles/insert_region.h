@@ -1,9 +1,19 @@
 // Where the centres of a group's bodies may lie.
 #pragma once
 
+#include <optional>
+
 #include "scree/particles/insert.h"
+#include "scree/physics/touch/body_face.h"
 
 namespace scree {
+
+/// How far a body reaches from its centre along each axis [m], without one the sphere of that radius.
+inline std::array<double, 3> half_widths(double radius, const std::optional<sc_body_shape>& body) {
+  if (!body || body->form.is_sphere) return {radius, radius, radius};
+  return {sc_support_in_world(*body, {1, 0, 0}).value, sc_support_in_world(*body, {0, 1, 0}).value,
+          sc_support_in_world(*body, {0, 0, 1}).value};
+}
 
 /// True if the region of the group spans the whole period along the axis: bodies then need not stay inside it.
 inline bool spans_period(const ParticleGroup& group, const Domain& domain, int axis) {
