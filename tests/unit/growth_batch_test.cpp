@@ -33,7 +33,7 @@ TEST(GrowthBatch, HasTheBitsOfOnePairAtATime) {
   };
   for (const Exponents& e :
        {Exponents{2, 2, SC_GROWTH_22}, Exponents{4, 4, SC_GROWTH_44}, Exponents{8, 2, SC_GROWTH_82},
-        Exponents{8, 8, SC_GROWTH_88}, Exponents{5.3, 3.7, SC_GROWTH_GENERAL}, Exponents{20, 1.1, SC_GROWTH_GENERAL},
+        Exponents{8, 8, SC_GROWTH_88}, Exponents{5.3, 3.7, SC_GROWTH_GENERAL}, Exponents{20, 1.5, SC_GROWTH_GENERAL},
         Exponents{2, 8, SC_GROWTH_GENERAL}}) {
     const Body a{make_form({1, .8, 2}, 2 / e.n1, 2 / e.n2), 1}, b{make_form({1, 1, .5}, 2 / e.n1, 2 / e.n2), .6};
     ASSERT_EQ(sc_growth_kind(a.form.shape.gauge, b.form.shape.gauge), e.kind);
