@@ -1,6 +1,5 @@
 #include "scree/app/measures.h"
 
-
 #include "scree/analysis/measure.h"
 
 namespace scree {
