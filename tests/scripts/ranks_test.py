@@ -366,8 +366,7 @@ class Ranks(unittest.TestCase):
         (self.work / "case.toml").write_text(case)
         command = [PROGRAM, "run", "case.toml", "-o", output, "--quiet", "--threads", str(threads), *words]
         launcher = [MPIEXEC, "-n", str(ranks)] if ranks > 0 else []
-        return subprocess.run(launcher + command, capture_output=True, text=True, cwd=self.work, env=ENVIRONMENT,
-                              timeout=300)
+        return subprocess.run(launcher + command, capture_output=True, text=True, cwd=self.work, env=ENVIRONMENT, timeout=300)
 
 
 class OnSeveralRanks(Ranks):
@@ -516,8 +515,7 @@ class OnSeveralRanks(Ranks):
         told = {}
         for binding in ("core", "none"):
             command = [MPIEXEC, "-n", "1", "--bind-to", binding, PROGRAM, "run", "case.toml", "-o", binding, "--until", "1e-4"]
-            told[binding] = subprocess.run(command, capture_output=True, text=True, cwd=self.work, timeout=300,
-                                           env=ENVIRONMENT)
+            told[binding] = subprocess.run(command, capture_output=True, text=True, cwd=self.work, timeout=300, env=ENVIRONMENT)
             self.assertEqual(told[binding].returncode, 0, told[binding].stderr)
         self.assertIn("--bind-to none", told["core"].stderr)
         self.assertNotIn("--bind-to none", told["none"].stderr)
@@ -555,10 +553,8 @@ def children_of(pid):
 
 
 def variable(pid, name):
-    for entry in pathlib.Path(f"/proc/{pid}/environ").read_bytes().split(b"\0"):
-        if entry.startswith(name.encode() + b"="):
-            return entry.split(b"=", 1)[1].decode()
-    return None
+    entries = pathlib.Path(f"/proc/{pid}/environ").read_bytes().split(b"\0")
+    return next((e.split(b"=", 1)[1].decode() for e in entries if e.startswith(name.encode() + b"=")), None)
 
 
 class FluidOnSeveralRanks(Ranks):
@@ -593,8 +589,8 @@ class FluidOnSeveralRanks(Ranks):
             self.assertLess(numpy.abs(values - whole[name]).max(), 1e-10 * numpy.abs(whole[name]).max(), name)
 
     def test_too_many_ranks_are_refused(self):
-        thin = FLUID.replace("cells = [16, 8, 4]", "cells = [16, 2, 1]").split("[[fluid.blocks]]")[0]
-        result = self.scree(4, thin.replace("cells = [16,", "cells = [4,"), "thin")
+        thin = FLUID.replace("cells = [16, 8, 4]", "cells = [4, 2, 1]").split("[[fluid.blocks]]")[0]
+        result = self.scree(4, thin, "thin")
         self.assertEqual(result.returncode, 2, result.stderr)
         self.assertIn("processes are too many", result.stderr)
 
