@@ -57,6 +57,7 @@ class Simulation {
   /// Builds the initial state of a case. A run that goes on gives the archive that will be restored: what the case
   /// takes from another run's checkpoint is then not read again. Throws InputError if the case cannot be run.
   Simulation(const Case& c, Team team, const Archive* resumed = nullptr, const Ranks& ranks = {});
+  Simulation(Simulation&&) noexcept;
   ~Simulation();
 
   /// Steps from now on are done on a device. Throws InputError if the case has something that is not there yet on

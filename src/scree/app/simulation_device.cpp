@@ -5,6 +5,7 @@
 
 namespace scree {
 
+Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
 void Simulation::use_device(const opencl::DeviceInfo& info) {
