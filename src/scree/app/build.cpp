@@ -75,14 +75,14 @@ Fields build_fields(const Case& c) {
   return f;
 }
 
-ParticleSystem build_system(const Case& c, Fields& fields, Takeover takeover) {
+ParticleSystem build_system(const Case& c, Fields& fields, const InsertionOptions& options) {
   ParticleSystem s;
   s.domain = build_domain(c);
   s.laws = c.contact.laws;
   s.materials = build_materials(c);
   s.walls = build_walls(c);
   s.particles = build_particles(
-      c, s.domain, s.walls, [&](const Vec3& x) { return flow_velocity(fields, x.data(), 0.0); }, s.forms, takeover);
+      c, s.domain, s.walls, [&](const Vec3& x) { return flow_velocity(fields, x.data(), 0.0); }, s.forms, options);
   expect_one_image(s, c.simulation.skin);
   if (is_hard(c)) {
     s.hard = HardSettings{c.hard.order == "sequential", static_cast<int>(c.hard.sweeps), c.hard.residual,

@@ -15,6 +15,6 @@ Domain build_domain(const Case& c);
 Fields build_fields(const Case& c);
 
 /// Domain, laws, materials, walls and particles. Throws InputError where the case cannot be built.
-ParticleSystem build_system(const Case& c, Fields& fields, Takeover takeover = Takeover::read);
+ParticleSystem build_system(const Case& c, Fields& fields, const InsertionOptions& options = {});
 
 }  // namespace scree

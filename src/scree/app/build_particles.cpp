@@ -105,8 +105,8 @@ std::vector<ParticleGroup> build_groups(const Case& c, Takeover takeover) {
 }
 
 Particles build_particles(const Case& c, const Domain& domain, const Walls& walls, const FluidVelocity& fluid,
-                          Forms& forms, Takeover takeover) {
-  const std::vector<ParticleGroup> groups = build_groups(c, takeover);
+                          Forms& forms, const InsertionOptions& options) {
+  const std::vector<ParticleGroup> groups = build_groups(c, options.takeover);
   forms = forms_of(groups);
   InsertionSetting setting;
   setting.domain = domain;
@@ -115,6 +115,7 @@ Particles build_particles(const Case& c, const Domain& domain, const Walls& wall
   setting.max_overlap = c.simulation.max_overlap;
   setting.fluid = fluid;
   setting.forms = forms;
+  setting.watch = options.watch;
   return insert_particles(groups, setting);
 }
 

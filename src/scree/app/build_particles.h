@@ -13,6 +13,12 @@ namespace scree {
 /// Whether groups that come from another run's checkpoint are read, or left empty: a run that goes on has them already.
 enum class Takeover { read, skip };
 
+/// How the particles of a case come to be.
+struct InsertionOptions {
+  Takeover takeover = Takeover::read;
+  InsertionWatch watch;  // of random insertion, which may take long
+};
+
 /// The groups of the case in its order; files of positions are read. A region that is left out is the domain.
 std::vector<ParticleGroup> build_groups(const Case& c, Takeover takeover = Takeover::read);
 
@@ -20,6 +26,6 @@ std::vector<ParticleGroup> build_groups(const Case& c, Takeover takeover = Takeo
 /// Throws InputError as insert_particles() does.
 /// `forms` becomes the table of their shapes.
 Particles build_particles(const Case& c, const Domain& domain, const Walls& walls, const FluidVelocity& fluid,
-                          Forms& forms, Takeover takeover = Takeover::read);
+                          Forms& forms, const InsertionOptions& options = {});
 
 }  // namespace scree

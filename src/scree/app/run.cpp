@@ -10,6 +10,7 @@
 #include "scree/app/derived.h"
 #include "scree/app/device_run.h"
 #include "scree/app/fluid_run.h"
+#include "scree/app/insertion_progress.h"
 #include "scree/app/memory_need.h"
 #include "scree/app/restart.h"
 #include "scree/app/run_loop.h"
@@ -218,7 +219,9 @@ RunResult run_case(const Case& c, const RunOptions& options) {
     say_warnings(c, options.directory);
   if (beginning.nothing_to_do) return {};
   if (const std::string refusal = memory_refusal(c, available_memory()); !refusal.empty()) throw ResourceError(refusal);
-  Simulation simulation(c, threads, beginning.archive ? &*beginning.archive : nullptr, options.ranks);
+  InsertionWatch watch;
+  if (!options.quiet && options.ranks.root()) watch = InsertionProgress(detect_progress(stderr));
+  Simulation simulation(c, threads, beginning.archive ? &*beginning.archive : nullptr, options.ranks, watch);
   if (beginning.archive) simulation.restore(*beginning.archive);
   if (device) simulation.use_device(*device);
   // The root writes into the directory when all have read what is there.

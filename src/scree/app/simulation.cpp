@@ -10,12 +10,13 @@
 #include "scree/app/take_over.h"
 
 namespace scree {
-Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const Ranks& ranks)
+Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const Ranks& ranks,
+                       const InsertionWatch& watch)
     : case_(c),
       team_(team),
       ranks_(ranks),
       fields_(build_fields(c)),
-      system_(build_system(case_, fields_, resumed ? Takeover::skip : Takeover::read)),
+      system_(build_system(case_, fields_, {resumed ? Takeover::skip : Takeover::read, watch})),
       exchange_(c, static_cast<std::int64_t>(system_.particles.size())),
       planes_(c) {
   prescribed_ = build_prescribed(c, system_.particles);

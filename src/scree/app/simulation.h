@@ -56,7 +56,8 @@ class Simulation {
  public:
   /// Builds the initial state of a case. A run that goes on gives the archive that will be restored: what the case
   /// takes from another run's checkpoint is then not read again. Throws InputError if the case cannot be run.
-  Simulation(const Case& c, Team team, const Archive* resumed = nullptr, const Ranks& ranks = {});
+  Simulation(const Case& c, Team team, const Archive* resumed = nullptr, const Ranks& ranks = {},
+             const InsertionWatch& watch = {});
   Simulation(Simulation&&) noexcept;
   ~Simulation();
 

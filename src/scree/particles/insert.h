@@ -59,6 +59,9 @@ struct ParticleGroup {
   std::array<double, 3> angular_velocity{};  // [rad/s]
 };
 
+/// Is told of every try to place a particle of a group at random how many of it are placed already, of how many.
+using InsertionWatch = std::function<void(const std::string& group, std::size_t placed, std::size_t wanted)>;
+
 /// What insertion needs to know of the run.
 struct InsertionSetting {
   Domain domain;
@@ -67,6 +70,7 @@ struct InsertionSetting {
   std::uint64_t seed = 1;
   double max_overlap = 0.2;  // of the smaller radius; deeper overlaps at the start are refused
   FluidVelocity fluid;       // for groups that start with the velocity of the fluid
+  InsertionWatch watch;      // may be empty
 };
 
 /// How many particles the group has from the start; 0 where a solid fraction decides.

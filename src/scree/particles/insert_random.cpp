@@ -157,11 +157,13 @@ std::vector<std::array<double, 3>> random_positions(const ParticleGroup& group, 
     const PlaceRange range = range_of_places(group, newcomer, body, setting);
     for (std::uint32_t attempt = 0;; ++attempt) {
       if (tries_left-- == 0) refuse_crowd(group, diameters, order, k);
+      if (setting.watch) setting.watch(group.name, k, order.size());
       positions[i] = random_place(range, index, i, attempt, setting);
       if (clear_of_walls(setting.walls, positions[i], radius, body) && space.is_free(positions[i], radius, body)) break;
     }
     space.add(positions[i], radius, body);
   }
+  if (setting.watch) setting.watch(group.name, order.size(), order.size());
   return positions;
 }
 
