@@ -153,7 +153,9 @@ const Section& particles_section() {
            "another "
            "run")
            .one_of({"lattice", "random", "file", "positions", "rate", "checkpoint"}),
-       key("region_min", &S::region_min, "lower corner of the box to fill; with insert = 'rate' it may be flat: a face")
+       key("region_min", &S::region_min,
+           "lower corner of the box to fill, in which bodies lie as they are turned; with insert = 'rate' it may be "
+           "flat: a face")
            .unit("m")
            .defaults_to("that of the domain")
            .only_with("insert", boxed),
