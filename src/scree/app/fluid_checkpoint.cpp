@@ -71,6 +71,9 @@ void restore_fluid(FluidSolver& s, const Archive& archive) {
     from += static_cast<std::ptrdiff_t>(row->size());
   }
   refresh(s);
+  // The boundary as it was, not as it is at the rounded time.
+  for (int a = 0; a < 3; ++a)
+    scatter_faces(s, a, archive.get<double>(fmt::format("fluid_flux_{}", axes[a])), s.state.flux[a]);
 }
 
 std::string fluid_hash(const FluidSolver& s) {

@@ -9,8 +9,12 @@
 namespace scree {
 namespace {
 
+/// What an iteration reports: the largest change, or nothing.
+enum class Report { change, nothing };
+
 /// next = x + momentum (x - before) + gain (b - A x) / diagonal, where `next` lies in the place of `before`.
 /// Returns the largest change.
+template <Report R>
 double relax_row(const Mesh& m, const Helmholtz& h, int c, std::int64_t at, const double* b, const double* x,
                  double* next, double momentum, double gain) {
   const double* __restrict fx = h.face[0].data() + at;
@@ -29,11 +33,12 @@ double relax_row(const Mesh& m, const Helmholtz& h, int c, std::int64_t at, cons
     const double jacobi = per[i] * (rhs[i] + pulls);
     const double change = per[i] > 0 ? momentum * (v[i] - out[i]) + gain * (jacobi - v[i]) : 0.0;
     out[i] = v[i] + change;
-    largest = std::max(largest, std::abs(change));
+    if constexpr (R == Report::change) largest = std::max(largest, std::abs(change));
   }
   return largest;
 }
 
+template <Report R>
 double relax(const Mesh& m, const Helmholtz& h, const VectorField& b, const VectorField& x, VectorField& next,
              double momentum, double gain) {
   double largest = 0;
@@ -42,7 +47,7 @@ double relax(const Mesh& m, const Helmholtz& h, const VectorField& b, const Vect
   for (int row = 0; row < rows; ++row) {
     const std::int64_t at = m.index(0, row % m.n[1], row / m.n[1]);
     for (int c = 0; c < 3; ++c)
-      largest = std::max(largest, relax_row(m, h, c, at, b[c].data(), x[c].data(), next[c].data(), momentum, gain));
+      largest = std::max(largest, relax_row<R>(m, h, c, at, b[c].data(), x[c].data(), next[c].data(), momentum, gain));
   }
   return largest;
 }
@@ -66,8 +71,12 @@ HelmholtzReport solve(const Mesh& mesh, const Ranks& ranks, const Helmholtz& equ
   for (int n = 0; n < report.iterations; ++n) {
     // Golub & Varga 1961: the weights of the three-term recurrence.
     weight = n == 0 ? 1 : 1 / (1 - (n == 1 ? 0.5 : 0.25 * weight) * radius * radius);
-    last = relax(mesh, equation, b, *x, *spare, weight - 1, weight);
-    if (n == 0) first = last;
+    if (n == 0 || n + 1 == report.iterations) {
+      last = relax<Report::change>(mesh, equation, b, *x, *spare, weight - 1, weight);
+      if (n == 0) first = last;
+    } else {
+      relax<Report::nothing>(mesh, equation, b, *x, *spare, weight - 1, weight);
+    }
     std::swap(x, spare);
     renew_ghosts(mesh, ranks, 1, {&(*x)[0], &(*x)[1], &(*x)[2]});
   }

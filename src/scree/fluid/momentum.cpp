@@ -6,6 +6,7 @@
 #include "scree/fluid/boundary.h"
 #include "scree/fluid/convection.h"
 #include "scree/fluid/halo.h"
+#include "scree/fluid/stress.h"
 
 namespace scree {
 namespace {
@@ -174,6 +175,7 @@ void find_rhs(FluidSolver& s, const Bdf& bdf) {
       for (int i = 0; i < m.n[0]; ++i) out[i] *= density;
     });
   add_boundary_friction(s);
+  if (!plain && s.settings.viscosity > 0) add_transposed_stress(s);
 }
 
 HelmholtzReport solve_momentum(FluidSolver& s) {

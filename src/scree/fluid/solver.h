@@ -30,6 +30,8 @@ struct FluidWork {
   VectorField velocity_older, flux_older;
   Field fraction_older;
   VectorField mean_force;   // of both faces of a cell along each axis: force over void fraction less grad p [N/m3]
+  VectorField memory;       // of the fluxes: what the faces had in the steps before beyond the cells beside them [m3/s]
+  Field rate;               // at which a cell forgets it [1/s]
   VectorField rhs;          // of the momentum equation without it [N]
   VectorField spare;        // of the viscous solve; then e times the velocity without the force of the faces
   Field divergence;         // what the pressure has to remove [m3/s]

@@ -99,14 +99,18 @@ bool has_forces(const FluidSettings& k) {
 }
 
 void expect_finite(const FluidSolver& s) {
-  double largest = 0;
-  for_each_cell(s.mesh, [&](std::int64_t c, const auto&) {
+  const Mesh& m = s.mesh;
+  int wrong = 0;
+  const int rows = m.n[1] * m.n[2];
+#pragma omp parallel for schedule(static) reduction(+ : wrong)
+  for (int row = 0; row < rows; ++row) {
+    const std::int64_t at = m.index(0, row % m.n[1], row / m.n[1]);
     for (int a = 0; a < 3; ++a) {
-      const double u = std::abs(s.state.velocity[a][c]);
-      largest = u <= largest ? largest : u;
+      const double* u = s.state.velocity[a].data() + at;
+      for (int i = 0; i < m.n[0]; ++i) wrong += std::abs(u[i]) < 1e100 ? 0 : 1;
     }
-  });
-  if (!(s.ranks.largest(largest == largest ? largest : 1e308) < 1e100))
+  }
+  if (s.ranks.total(wrong) > 0)
     throw PhysicsError(
         fmt::format("the velocity of the fluid is no number any more at t = {:.9g} s\n  = help: a smaller "
                     "fluid.courant or time step",
@@ -129,9 +133,10 @@ FluidSolver::FluidSolver(const FluidRegion& r, FluidSettings k, const Ranks& pro
     : region(r), settings(std::move(k)), ranks(processes), mesh(make_mesh(region, ranks)), boundary(mesh.boundary) {
   for (VectorField* v :
        {&state.velocity, &state.velocity_old, &state.flux, &state.flux_old, &work.velocity_older, &work.flux_older,
-        &work.mean_force, &work.rhs, &work.spare, &work.viscous.face, &work.conductance})
+        &work.mean_force, &work.memory, &work.rhs, &work.spare, &work.viscous.face, &work.conductance})
     *v = mesh.make_vector();
-  for (Field* f : {&state.pressure, &state.correction, &work.divergence, &work.wanted, &work.outlet_conductance})
+  for (Field* f :
+       {&state.pressure, &state.correction, &work.divergence, &work.rate, &work.wanted, &work.outlet_conductance})
     *f = mesh.make_field();
   for (Field* f : {&state.fraction, &state.fraction_old, &work.fraction_older}) {
     *f = mesh.make_field();
@@ -197,6 +202,7 @@ StepReport advance(FluidSolver& s, double dt) {
   set_boundary(s, time);
   prepare_viscous(s, bdf);
   prepare_projection(s, bdf);
+  find_memory(s, bdf);
   const int passes = st.last_dt == 0 ? std::max(first_passes, s.settings.correctors) : s.settings.correctors;
   for (int pass = 0; pass < passes; ++pass) {
     find_mean_force(s);
@@ -222,15 +228,20 @@ StepReport advance(FluidSolver& s, double dt) {
 double courant_rate(const FluidSolver& s) {
   const Mesh& m = s.mesh;
   double largest = 0;
-  for (int k = 0; k < m.n[2]; ++k)
-    for (int j = 0; j < m.n[1]; ++j)
-      for (int i = 0; i < m.n[0]; ++i) {
-        const std::int64_t c = m.index(i, j, k);
-        if (m.fluid[c] == 0) continue;
-        double sum = 0;
-        for (int a = 0; a < 3; ++a) sum += std::abs(s.state.flux[a][c]) + std::abs(s.state.flux[a][c + m.stride[a]]);
-        largest = std::max(largest, 0.5 * sum / (s.state.fraction[c] * m.cell_volume(i, j, k)));
-      }
+  const int rows = m.n[1] * m.n[2];
+#pragma omp parallel for schedule(static) reduction(max : largest)
+  for (int row = 0; row < rows; ++row) {
+    const int j = row % m.n[1], k = row / m.n[1];
+    const std::int64_t at = m.index(0, j, k);
+    const double per_across = m.axis[1].per_width[Mesh::ghosts + j] * m.axis[2].per_width[Mesh::ghosts + k];
+    for (int i = 0; i < m.n[0]; ++i) {
+      double sum = 0;
+      for (int a = 0; a < 3; ++a)
+        sum += std::abs(s.state.flux[a][at + i]) + std::abs(s.state.flux[a][at + i + m.stride[a]]);
+      const double rate = 0.5 * sum * per_across * m.axis[0].per_width[Mesh::ghosts + i] / s.state.fraction[at + i];
+      largest = std::max(largest, m.fluid[at + i] * rate);
+    }
+  }
   // A flow that begins at rest is about to be as fast as its walls.
   for (const BoundaryFace& f : s.boundary) {
     double sum = 0;

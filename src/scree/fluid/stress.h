@@ -1,0 +1,12 @@
+// The part of the viscous stress that is zero where the velocity has no divergence and the viscosity does not vary.
+#pragma once
+
+#include "scree/fluid/solver.h"
+
+namespace scree {
+
+/// Adds to work.rhs the divergence of e mu (grad u^T - 2/3 div u), with the estimated velocity. On the boundary it is
+/// taken as zero: along a wall the velocity does not change.
+void add_transposed_stress(FluidSolver& s);
+
+}  // namespace scree
