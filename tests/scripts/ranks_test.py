@@ -485,6 +485,7 @@ class OnSeveralRanks(Ranks):
                                            lambda pid: os.kill(pid[victim], signal.SIGKILL))
             self.assertNotEqual(status, 0)
 
+    @unittest.skipIf(b"san_init" in pathlib.Path(PROGRAM).read_bytes(), "a sanitizer needs memory of its own")
     def test_one_that_finds_no_memory_takes_the_others_with_it(self):
         # A rain that needs more and more of it.
         case = SPHERES_COME.replace("end = 0.06", "end = 100").replace('checkpoints = "20 ms"', 'checkpoints = "1 ms"')

@@ -4,9 +4,7 @@
 #include "engine_cases.h"
 #include "scree/app/device_run.h"
 #include "scree/base/error.h"
-
-/// What OpenCL libraries and their compilers never free is not for the sanitizer of this program to tell.
-extern "C" int __lsan_is_turned_off() { return 1; }
+#include "support/foreign_leaks.h"
 
 namespace scree {
 namespace {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/flows.h"
+#include "support/foreign_leaks.h"
 
 namespace scree::test {
 namespace {

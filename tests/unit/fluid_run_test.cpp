@@ -7,6 +7,7 @@
 
 #include "run_files.h"
 #include "scree/input/load.h"
+#include "support/foreign_leaks.h"
 #include "support/temporary_directory.h"
 
 namespace scree {

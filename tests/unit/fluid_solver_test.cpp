@@ -8,6 +8,7 @@
 
 #include "scree/fluid/halo.h"
 #include "support/flows.h"
+#include "support/foreign_leaks.h"
 
 namespace scree::test {
 namespace {
