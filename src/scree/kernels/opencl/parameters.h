@@ -11,6 +11,13 @@ typedef long sc_count;
 typedef long long sc_count;
 #endif
 
+/// An entry of a list: the partner, and contact_code() in the two highest bits.
+#define SC_PARTNER 0x3fffffffu
+#define SC_CODE_SHIFT 30
+
+/// Numbers that one item adds up in a scan; a group of SC_GROUP items does a block of them.
+#define SC_SCAN_OWN 16
+
 /// The flow in which particles are.
 enum { SC_FLOW_NONE = 0, SC_FLOW_UNIFORM = 1, SC_FLOW_TAYLOR_GREEN = 2, SC_FLOW_SHEAR = 3 };
 

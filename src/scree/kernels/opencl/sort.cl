@@ -2,8 +2,7 @@
 // depend on which item comes first.
 #include "scree/kernels/opencl/parameters.h"
 
-/// Numbers that one item, and one group, adds up in a scan.
-#define SC_SCAN_OWN 16
+/// Numbers that one group adds up in a scan.
 #define SC_SCAN_BLOCK (SC_GROUP * SC_SCAN_OWN)
 
 SC_FN int sc_cell_along(real x, real low, real width, int cells) {

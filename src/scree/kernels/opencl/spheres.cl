@@ -12,12 +12,7 @@
 
 typedef double4 real4;
 
-/// An entry of a list: the partner, and contact_code() in the two highest bits.
-#define SC_PARTNER 0x3fffffffu
-#define SC_CODE_SHIFT 30
-
-/// Items of a group of the pass: SC_GROUP is given by the host.
-
+// SC_GROUP, the items of a group, and the chosen laws are given by the host.
 #define SC_CHOSEN_LAWS \
   { SC_CHOSEN_NORMAL, SC_CHOSEN_TANGENTIAL, SC_CHOSEN_ROLLING, SC_CHOSEN_TWISTING, SC_CHOSEN_COHESION }
 #define SC_ROLLS (SC_CHOSEN_ROLLING != SC_ROLLING_NONE || SC_CHOSEN_TWISTING != SC_TWISTING_NONE)

@@ -13,15 +13,12 @@
 namespace scree {
 namespace {
 
-constexpr std::size_t group = 128;  // items of a group of the pass
-constexpr int first_room = 12;      // partners of a particle that there is place for before more are found
-constexpr std::uint32_t partner_mask = 0x3fffffffu;
-constexpr int code_shift = 30;
+constexpr int first_room = 12;  // partners of a particle that there is place for before more are found
 
 static_assert(SC_SPEED_QUANTUM == speed_quantum);
 
 /// The laws are constants of the kernels, so that the choice folds away.
-std::string options_for(const sc_laws& laws) {
+std::string options_for(const sc_laws& laws, std::size_t group) {
   return fmt::format(
       "-cl-std=CL1.2 -DSC_GROUP={} -DSC_CHOSEN_NORMAL={} -DSC_CHOSEN_TANGENTIAL={} -DSC_CHOSEN_ROLLING={} "
       "-DSC_CHOSEN_TWISTING={} -DSC_CHOSEN_COHESION={}",
@@ -67,7 +64,7 @@ constexpr bool is_state(std::string_view name) { return name == "motion" || name
 DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem& s, const ContactLists& lists,
                              const Fields& fields, double max_overlap)
     : device_(device),
-      program_(device, opencl::kernel_text, options_for(s.laws)),
+      program_(device, opencl::kernel_text, options_for(s.laws, group)),
       laws_of_run_(s.laws),
       first_law_(s.materials.law[0]),
       rolls_(s.contacts.remembers_rolling),
@@ -166,7 +163,7 @@ void DeviceSpheres::send_contacts(const ParticleSystem& s) {
   std::fill(count.begin(), count.end(), 0);
   const auto put = [&](std::size_t k, std::int32_t self, std::int32_t other, double sign) {
     const std::size_t slot = static_cast<std::size_t>(count[self]++) * n_ + static_cast<std::size_t>(self);
-    partners[slot] = static_cast<std::uint32_t>(other) | static_cast<std::uint32_t>(c.active[k]) << code_shift;
+    partners[slot] = static_cast<std::uint32_t>(other) | static_cast<std::uint32_t>(c.active[k]) << SC_CODE_SHIFT;
     for (std::size_t l = 0; l < 4; ++l) slides[4 * slot + l] = (l < 3 ? sign : 1) * c.slide[4 * k + l];
     for (std::size_t l = 0; rolls_ && l < 4; ++l) rolls[4 * slot + l] = (l < 3 ? sign : 1) * c.roll[4 * k + l];
   };
@@ -284,9 +281,9 @@ void DeviceSpheres::bring_back(const ParticleSystem& system, ParticleSystem& who
                          static_cast<std::size_t>(k) * n_ * sizeof(std::uint32_t));
     const auto slide = read_slot(k, lists_.slides), roll = read_slot(k, lists_.rolls);
     for (std::size_t i = 0; i < n_; ++i) {
-      if (k >= count[i] || entry[i] >> code_shift == 0) continue;
-      const std::int64_t other = id[entry[i] & partner_mask];
-      if (id[i] < other) remember(pairs, id[i], other, row(slide, i), row(roll, i), entry[i] >> code_shift);
+      if (k >= count[i] || entry[i] >> SC_CODE_SHIFT == 0) continue;
+      const std::int64_t other = id[entry[i] & SC_PARTNER];
+      if (id[i] < other) remember(pairs, id[i], other, row(slide, i), row(roll, i), entry[i] >> SC_CODE_SHIFT);
     }
   }
   const auto codes = wall_codes_.values<std::uint32_t>(n_ * walls_);

@@ -50,6 +50,7 @@ class DeviceSpheres {
 
  private:
   static constexpr std::size_t most_given = 32;
+  static constexpr std::size_t group = 128;  // items of a group
 
   struct Lists {
     int room = 0;

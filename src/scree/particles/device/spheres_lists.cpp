@@ -8,8 +8,6 @@
 namespace scree {
 namespace {
 
-constexpr std::size_t group = 128;              // items of a group
-constexpr std::size_t scan_block = 16 * group;  // SC_SCAN_BLOCK
 constexpr std::int64_t most_cells = std::int64_t{1} << 30;
 
 }  // namespace
@@ -32,6 +30,7 @@ void DeviceSpheres::fit_cells() {
 
 /// Replaces numbers by the sums of those before them.
 void DeviceSpheres::scan(opencl::DeviceBuffer& values, int count) {
+  constexpr std::size_t scan_block = SC_SCAN_OWN * group;
   const int blocks = static_cast<int>((static_cast<std::size_t>(count) + scan_block - 1) / scan_block);
   opencl::DeviceBuffer sums(device_, static_cast<std::size_t>(blocks) * sizeof(std::int32_t));
   program_.run("sc_scan_blocks", static_cast<std::size_t>(blocks) * group, group, count, values, sums);
