@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "scree/physics/arctangent.h"
+
 namespace {
 
 /// |got - exact| in units in the last place of the exact value.
@@ -70,6 +72,15 @@ TEST(Math, SineAndCosineNearTheirZeros) {
     ASSERT_LT(error_in_ulp(sc_sin(x), sine), 2) << x;
     ASSERT_LT(error_in_ulp(sc_cos(x), cosine), 2) << x;
   }
+}
+
+TEST(Math, ArcTangentBelowTwoUnits) {
+  const auto mine = [](double x) { return sc_atan(x); };
+  const auto truth = [](long double x) { return std::atan(x); };
+  EXPECT_LT(largest_error(mine, truth, uniform(-3, 3)), 2);
+  EXPECT_LT(largest_error(mine, truth, with_both_signs(of_any_size(-300, 300))), 2);
+  EXPECT_EQ(sc_atan(0.0), 0.0);
+  EXPECT_EQ(sc_atan(std::numeric_limits<double>::infinity()), M_PI / 2);
 }
 
 TEST(Math, ExponentialBelowTwoUnits) {
