@@ -56,6 +56,15 @@ type = "outlet"
 [[fluid.probes]]
 name = "wake"
 points = [[1.6, 0.3, 0.1], [0.1, 0.1, 0.1]]
+[[fluid.lines]]
+name = "across"
+from = [1.6, 0, 0.25]
+to = [1.6, 1, 0.25]
+points = 5
+every = 0.08
+[fluid.averages]
+from = 0.1
+every = 2
 [output]
 series = 0.04
 frames = 0.1
@@ -105,6 +114,21 @@ TEST(FluidRun, TheSeriesTellsWhatHappens) {
   EXPECT_LE(row.at("courant"), 0.6);
   EXPECT_TRUE(std::isfinite(row.at("wake0_u_x")));
   EXPECT_TRUE(std::isnan(row.at("wake1_u_x")));  // beyond the blocks
+}
+
+TEST(FluidRun, LinesAreTablesOfTheirOwn) {
+  const TemporaryDirectory space;
+  Case c = parse_case(text, "duct.toml", {"fluid.probes.wake.points=[[1.6, 0.25, 0.25], [1.6, 1, 0.25]]"});
+  ASSERT_EQ(run_case(c, into(space / "run")).status, Exit::success);
+  const auto row = last_row(space / "run/series.csv"), end = last_row(space / "run/lines/across.csv");
+  EXPECT_EQ(end.at("time"), 0.4);
+  EXPECT_EQ(end.at("y"), 1);
+  EXPECT_EQ(end.at("u_x"), row.at("wake1_u_x"));
+  EXPECT_EQ(end.at("p"), row.at("wake1_p"));
+  std::ifstream file(space / "run/lines/across.csv");
+  int lines = 0;
+  for (std::string line; std::getline(file, line);) ++lines;
+  EXPECT_EQ(lines, 1 + 6 * 5);  // at 0, 0.08, ... 0.4
 }
 
 TEST(FluidRun, SteadyFlowsEnd) {

@@ -58,12 +58,15 @@ FluidSettings build_fluid_settings(const Case& c) {
   s.force = place_formulas(k.force);
   s.void_fraction = place_formula(k.void_fraction, 1);
   s.moving_void_fraction = uses_time(k.void_fraction);
+  s.model_b = k.model == "b";
   s.drag = place_formula(k.drag, 0);
   s.drag_velocity = place_formulas(k.drag_velocity);
   for (const FluidPatchKeys& patch : k.patches) {
     PatchValues values;
     values.velocity = place_formulas(patch.velocity);
     values.pressure = place_formula(patch.pressure, 0);
+    values.resistance = patch.resistance;
+    values.quadratic = patch.quadratic_resistance;
     s.patches.push_back(values);
   }
   s.divergence_tolerance = k.divergence_tolerance;

@@ -45,6 +45,8 @@ Archive save_fluid(const FluidSolver& s) {
   const FluidBooks& b = s.state.books;
   std::vector<double> books;
   for (const auto& row : {b.content, b.change, b.error, b.turned}) books.insert(books.end(), row.begin(), row.end());
+  books.insert(books.end(), {b.kinetic, b.kinetic_start});
+  for (const auto& row : {b.work, b.power}) books.insert(books.end(), row.begin(), row.end());
   out.put("fluid_books", std::move(books));
   return out;
 }
@@ -70,10 +72,28 @@ void restore_fluid(FluidSolver& s, const Archive& archive) {
     std::copy_n(from, row->size(), row->begin());
     from += static_cast<std::ptrdiff_t>(row->size());
   }
+  st.books.kinetic = *from++;
+  st.books.kinetic_start = *from++;
+  for (auto* row : {&st.books.work, &st.books.power}) {
+    std::copy_n(from, row->size(), row->begin());
+    from += static_cast<std::ptrdiff_t>(row->size());
+  }
   refresh(s);
   // The boundary as it was, not as it is at the rounded time.
   for (int a = 0; a < 3; ++a)
     scatter_faces(s, a, archive.get<double>(fmt::format("fluid_flux_{}", axes[a])), s.state.flux[a]);
+}
+
+void save_averages(const FluidSolver& s, const FluidAverages& averages, Archive& archive) {
+  archive.set("fluid_average_time", averages.time);
+  for_each_average(averages,
+                   [&](const std::string& name, const Field& field) { archive.put(name, gather_cells(s, field)); });
+}
+
+void restore_averages(const FluidSolver& s, const Archive& archive, FluidAverages& averages) {
+  averages.time = archive.number("fluid_average_time");
+  for_each_average(averages,
+                   [&](const std::string& name, Field& field) { scatter_cells(s, archive.get<double>(name), field); });
 }
 
 std::string fluid_hash(const FluidSolver& s) {

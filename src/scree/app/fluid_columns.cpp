@@ -34,6 +34,13 @@ std::vector<std::string> fluid_columns(const Case& c) {
                                     "momentum_error",
                                     "kinetic_energy",
                                     "dissipation",
+                                    "work_walls",
+                                    "work_pressure",
+                                    "work_flow",
+                                    "work_forces",
+                                    "work_drag",
+                                    "work_friction",
+                                    "energy_error",
                                     "largest_speed"};
   for (const FluidPatchKeys& patch : c.fluid.patches)
     for (const char* quantity : {"_flow", "_force_x", "_force_y", "_force_z"}) names.push_back(patch.name + quantity);
@@ -65,8 +72,9 @@ std::vector<double> fluid_row(const Case& c, const FluidSolver& s, const FluidTa
                            m.momentum[2],
                            missed,
                            m.kinetic,
-                           m.dissipation,
-                           m.fastest};
+                           m.dissipation};
+  v.insert(v.end(), b.work.begin(), b.work.end());
+  v.insert(v.end(), {b.energy_error(), m.fastest});
   const std::vector<PatchLoad> loads = patch_loads(s);
   for (std::size_t p = 0; p < c.fluid.patches.size(); ++p) {
     v.push_back(loads[p].flow);

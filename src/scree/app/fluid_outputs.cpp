@@ -1,29 +1,16 @@
 #include "scree/app/fluid_outputs.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 
 #include "scree/app/columns.h"
 #include "scree/app/fluid_checkpoint.h"
+#include "scree/app/fluid_times.h"
 #include "scree/fluid/whole.h"
 #include "scree/input/record.h"
 
 namespace scree {
 namespace {
-
-constexpr double never = std::numeric_limits<double>::infinity();
-// Times are sums of steps; a billion of them round by less than this part of an interval.
-constexpr double hair = 1e-6;
-
-/// The first multiple of the interval after a time.
-double next_multiple(double time, double interval) {
-  if (interval <= 0) return never;
-  return interval * (std::floor(time / interval + hair) + 1);
-}
-
-bool reached(double time, double due, double interval) { return time >= due - hair * interval; }
 
 /// A column of a frame, in the precision that was asked for.
 template <class T>
@@ -39,22 +26,41 @@ FrameColumn column(bool single, const char* name, const char* unit, const char* 
                 : column_of<double>(name, unit, meaning, values, columns);
 }
 
-std::vector<double> gather_velocity(const FluidSolver& s) {
+/// Fields side by side in rows, times a number.
+std::vector<double> gather_rows(const FluidSolver& s, const std::vector<const Field*>& fields, double factor = 1) {
   std::vector<double> out;
-  for (int a = 0; a < 3; ++a) {
-    const std::vector<double> part = gather_cells(s, s.state.velocity[a]);
-    out.resize(3 * part.size());
-    for (std::size_t i = 0; i < part.size(); ++i) out[3 * i + a] = part[i];
+  const std::size_t columns = fields.size();
+  for (std::size_t a = 0; a < columns; ++a) {
+    const std::vector<double> part = gather_cells(s, *fields[a]);
+    out.resize(columns * part.size());
+    for (std::size_t i = 0; i < part.size(); ++i) out[columns * i + a] = factor * part[i];
   }
   return out;
+}
+
+std::vector<const Field*> components(const VectorField& v) { return {&v[0], &v[1], &v[2]}; }
+
+void add_averages(const FluidSolver& s, const FluidAverages& a, bool single, std::vector<FrameColumn>& columns) {
+  const double per = a.time > 0 ? 1 / a.time : 0;
+  columns.push_back(column(single, "mean_velocity", "m/s", "mean over time of the velocity",
+                           gather_rows(s, components(a.velocity)), 3));
+  columns.push_back(
+      column(single, "mean_pressure", "Pa", "mean over time of the pressure", gather_cells(s, a.pressure)));
+  std::vector<const Field*> products = components(a.square);
+  for (const Field& f : a.cross) products.push_back(&f);
+  columns.push_back(column(single, "velocity_fluctuation", "m2/s2",
+                           "mean products of what fluctuates of the velocity: xx, yy, zz, xy, yz, zx",
+                           gather_rows(s, products, per), FluidAverages::products));
+  columns.push_back(column(single, "pressure_fluctuation", "Pa2", "mean square of what fluctuates of the pressure",
+                           gather_rows(s, {&a.pressure_square}, per)));
 }
 
 }  // namespace
 
 FluidOutputs::FluidOutputs(const Case& c, const FluidSolver& s, const RunDirectory* directory, const Archive* archive)
-    : case_(c), record_(case_record(c)), directory_(directory) {
+    : case_(c), record_(case_record(c)), directory_(directory), lines_(c, directory, s.state.time, archive != nullptr) {
   const double now = s.state.time;
-  series_interval_ = c.output.series > 0 ? c.output.series : c.simulation.end / 200;
+  series_interval_ = series_interval(c);
   series_due_ = archive ? next_multiple(now, series_interval_) : 0;
   frame_due_ = !archive ? 0 : next_multiple(now, c.output.frames);
   checkpoint_due_ = next_multiple(now, c.output.checkpoints);
@@ -62,6 +68,10 @@ FluidOutputs::FluidOutputs(const Case& c, const FluidSolver& s, const RunDirecto
     row_step_ = archive->integer("row_step");
     frame_step_ = archive->integer("frame_step");
     checkpoint_step_ = s.state.step;
+  }
+  if (c.fluid.averages.from) {
+    averages_ = make_averages(s.mesh);
+    if (archive) restore_averages(s, *archive, *averages_);
   }
   if (!directory) return;
   if (archive) latest_ = directory->checkpoint(static_cast<std::uint64_t>(s.state.step)).string();
@@ -71,7 +81,15 @@ FluidOutputs::FluidOutputs(const Case& c, const FluidSolver& s, const RunDirecto
 }
 
 double FluidOutputs::next_event(double time) const {
-  return std::min(next_multiple(time, series_interval_), next_multiple(time, case_.output.frames));
+  return std::min(
+      {next_multiple(time, series_interval_), next_multiple(time, case_.output.frames), lines_.next_event(time)});
+}
+
+void FluidOutputs::note_step(const FluidSolver& s) {
+  if (!averages_) return;
+  const FluidAverageKeys& keys = case_.fluid.averages;
+  if (s.state.time <= *keys.from * (1 + hair) || s.state.step % static_cast<std::int64_t>(keys.every) != 0) return;
+  add_sample(*averages_, s.mesh, s.state, s.state.last_dt * static_cast<double>(keys.every));
 }
 
 bool FluidOutputs::row_due(const FluidSolver& s) const { return reached(s.state.time, series_due_, series_interval_); }
@@ -86,6 +104,7 @@ void FluidOutputs::write_due(const FluidSolver& s, FluidTally& tally, bool last)
     frame_due_ = next_multiple(time, case_.output.frames);
     write_frame(s);
   }
+  lines_.write_due(s, last);
   if (last || reached(time, checkpoint_due_, case_.output.checkpoints)) write_checkpoint(s);
 }
 
@@ -102,13 +121,15 @@ void FluidOutputs::write_frame(const FluidSolver& s) {
   frame_step_ = s.state.step;
   const bool single = case_.output.precision == "single";
   std::vector<FrameColumn> columns;
-  columns.push_back(column(single, "velocity", "m/s", "velocity of the fluid", gather_velocity(s), 3));
+  columns.push_back(
+      column(single, "velocity", "m/s", "velocity of the fluid", gather_rows(s, components(s.state.velocity)), 3));
   columns.push_back(column(single, "pressure", "Pa", "pressure", gather_cells(s, s.state.pressure)));
   if (!s.plain())
     columns.push_back(column(single, "void_fraction", "1", "fraction of the volume that is fluid",
                              gather_cells(s, s.state.fraction)));
   columns.push_back(column_of<std::uint8_t>("fluid", "1", "1 where there is fluid, 0 in bodies and beyond blocks",
                                             gather_cells(s, s.mesh.fluid), 1));
+  if (averages_) add_averages(s, *averages_, single, columns);
   if (frames_) frames_->write(s.state.time, static_cast<std::uint64_t>(s.state.step), columns);
 }
 
@@ -117,6 +138,7 @@ void FluidOutputs::write_checkpoint(const FluidSolver& s) {
   if (checkpoint_step_ == s.state.step) return;
   checkpoint_step_ = s.state.step;
   Archive archive = save_fluid(s);
+  if (averages_) save_averages(s, *averages_, archive);
   archive.set("row_step", row_step_);
   archive.set("frame_step", frame_step_);
   archive.set("version", program_name());

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "scree/app/fluid_columns.h"
+#include "scree/app/fluid_lines.h"
+#include "scree/fluid/averages.h"
 #include "scree/output/archive.h"
 #include "scree/output/field_frames.h"
 #include "scree/output/run_directory.h"
@@ -19,6 +21,9 @@ class FluidOutputs {
 
   /// The next time at which something is due that the time step should meet [s].
   double next_event(double time) const;
+
+  /// Takes a step that has been made into the averages.
+  void note_step(const FluidSolver& s);
 
   /// Whether write_due() would write a row of the series.
   bool row_due(const FluidSolver& s) const;
@@ -38,6 +43,8 @@ class FluidOutputs {
   Case case_;
   std::string record_;  // of the case, for the checkpoints
   const RunDirectory* directory_;
+  FluidLines lines_;
+  std::optional<FluidAverages> averages_;
   double series_interval_, series_due_, frame_due_, checkpoint_due_;
   std::int64_t row_step_ = -1, frame_step_ = -1, checkpoint_step_ = -1;
   std::optional<SeriesWriter> series_;

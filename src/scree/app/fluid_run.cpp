@@ -117,6 +117,7 @@ class FluidRun {
     const Stopwatch watch(stages_, "flow");
     report_ = advance(solver_, dt);
     solver_.state.time = time;
+    outputs_->note_step(solver_);
     ++tally_.steps;
     tally_.pressure_iterations += report_.pressure_iterations;
     tally_.viscous_iterations += report_.viscous_iterations;
@@ -219,6 +220,7 @@ class FluidRun {
     const FluidBooks& b = solver_.state.books;
     s.ledger = {{"fluid_mass_error", solver_.settings.density * b.error[3]},
                 {"fluid_momentum_error", std::hypot(b.error[0], b.error[1], b.error[2])},
+                {"fluid_energy_error", b.energy_error()},
                 {"fluid_divergence", report_.divergence}};
     s.fluid_hash = fluid_hash(solver_);
     s.ended = timestamp_now();

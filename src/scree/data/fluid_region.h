@@ -9,7 +9,7 @@
 namespace scree {
 
 /// What a part of the boundary does to the fluid.
-enum class PatchKind { wall, slip, inlet, outlet };
+enum class PatchKind { wall, slip, inlet, outlet, permeable };
 
 /// Some faces of the boundary: those of the cells in `cells` towards +axis (upper) or -axis.
 struct PatchPlace {

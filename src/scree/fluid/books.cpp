@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scree/fluid/boundary.h"
+#include "scree/fluid/projection.h"
 
 namespace scree {
 namespace {
@@ -47,7 +48,7 @@ void add_over_cells(FluidSolver& s, Of&& of) {
 void enter_known_forces(FluidSolver& s) {
   s.work.force = {};
   for (const BoundaryFace& f : s.boundary) {
-    const bool passes = f.kind == PatchKind::inlet || f.kind == PatchKind::outlet;
+    const bool passes = f.kind == PatchKind::inlet || gives_pressure(f);
     const double out = passes ? s.settings.density * f.side * s.state.flux[f.axis][f.face] : 0;
     for (int c = 0; c < 3; ++c) {
       if (passes) s.work.force[c] -= out * passing_velocity(s, f, c);
@@ -62,8 +63,8 @@ void enter_friction_and_pressure(FluidSolver& s) {
   for (const BoundaryFace& f : s.boundary)
     for (int c = 0; c < 3; ++c) s.work.force[c] -= wall_friction(s, f, c).own * s.state.velocity[c][f.cell];
   if (acted_upon(s))
-    return add_over_cells(
-        s, [&](int a, std::int64_t c, int, int, int) { return s.state.fraction[c] * s.work.mean_force[a][c]; });
+    return add_over_cells(s,
+                          [&](int a, std::int64_t c, int, int, int) { return s.felt()[c] * s.work.mean_force[a][c]; });
   // The mean forces of a row of cells leave nothing but the pressure at its ends.
   for (const BoundaryFace& f : s.boundary)
     s.work.force[f.axis] -= f.side * f.area * (s.state.pressure[f.cell] - f.side * f.half * boundary_force(s, f));
@@ -75,7 +76,7 @@ void enter_correction(FluidSolver& s, const Bdf& bdf) {
   const Field& x = s.state.correction;
   if (!acted_upon(s)) {
     for (const BoundaryFace& f : s.boundary)
-      if (f.kind != PatchKind::outlet) s.work.force[f.axis] -= f.side * f.area * x[f.cell] * per_pace;
+      s.work.force[f.axis] -= f.side * f.area * x[f.cell] * per_pace * (1 - yielding(s, bdf, f));
     return;
   }
   add_over_cells(s, [&](int a, std::int64_t c, int i, int j, int k) {
@@ -83,14 +84,13 @@ void enter_correction(FluidSolver& s, const Bdf& bdf) {
     const std::int64_t st = m.stride[a];
     const double slope = 0.5 * (m.open[a][c] * (x[c] - x[c - st]) * m.axis[a].per_distance[g] +
                                 m.open[a][c + st] * (x[c + st] - x[c]) * m.axis[a].per_distance[g + 1]);
-    const double gradient = s.state.fraction[c] * slope * per_pace;
+    const double gradient = s.felt()[c] * slope * per_pace;
     if (s.work.drag.empty()) return -gradient;
     const double shift = s.work.drag_shift_now[a][c] - s.work.drag_shift[a][c];
-    return s.state.fraction[c] * shift - gradient - s.work.drag[c] * s.state.velocity[a][c];
+    return s.felt()[c] * shift - gradient - s.work.drag[c] * s.state.velocity[a][c];
   });
   for (const BoundaryFace& f : s.boundary)
-    if (f.kind == PatchKind::outlet)
-      s.work.force[f.axis] += s.state.fraction[f.cell] * f.side * f.area * x[f.cell] * per_pace;
+    s.work.force[f.axis] += s.felt()[f.cell] * f.side * f.area * x[f.cell] * per_pace * yielding(s, bdf, f);
 }
 
 void open_books(FluidSolver& s) {

@@ -49,7 +49,11 @@ void balance_inlets(FluidSolver& s) {
 void set_boundary(FluidSolver& s, double time) {
   for (BoundaryFace& f : s.boundary) {
     if (f.patch >= 0) evaluate(f, s.settings.patches[f.patch], time);
-    if (f.kind == PatchKind::outlet) continue;
+    if (f.kind == PatchKind::permeable) {
+      const PatchValues& plate = s.settings.patches[f.patch];
+      f.resistance = plate.resistance + plate.quadratic * std::abs(s.state.flux[f.axis][f.face]) / f.area;
+    }
+    if (gives_pressure(f)) continue;
     const bool passes = f.kind == PatchKind::inlet;
     s.state.flux[f.axis][f.face] = passes ? s.state.fraction[f.cell] * f.area * f.velocity[f.axis] : 0;
   }
@@ -58,10 +62,15 @@ void set_boundary(FluidSolver& s, double time) {
 
 WallFriction wall_friction(const FluidSolver& s, const BoundaryFace& f, int component) {
   if (!holds(f, component)) return {};
-  const double strength = s.state.fraction[f.cell] * s.settings.viscosity * f.area;
+  const double strength = s.felt()[f.cell] * s.settings.viscosity * f.area;
   if (f.depth == 1) return {strength / f.half, 0};
   const double y1 = f.half, y2 = f.second;
   return {strength * y2 / (y1 * (y2 - y1)), strength * y1 / (y2 * (y2 - y1))};
+}
+
+double force_without_plate(const FluidSolver& s, const BoundaryFace& f) {
+  const double force = s.work.face_force[0].empty() ? 0.0 : s.work.face_force[f.axis][f.face];
+  return force - f.side * (f.pressure - s.state.pressure[f.cell]) / f.half;
 }
 
 double boundary_force(const FluidSolver& s, const BoundaryFace& f) {
@@ -69,7 +78,8 @@ double boundary_force(const FluidSolver& s, const BoundaryFace& f) {
     return s.work.face_force[0].empty() ? 0.0 : s.work.face_force[f.axis][face];
   };
   const Field& p = s.state.pressure;
-  if (f.kind == PatchKind::outlet) return force_at(f.face) - f.side * (f.pressure - p[f.cell]) / f.half;
+  if (gives_pressure(f))
+    return force_without_plate(s, f) - f.resistance * s.state.flux[f.axis][f.face] / (f.area * f.half);
   if (f.depth == 1) return 0;
   // The faces of the cells behind, as if they pointed along the axis.
   const std::int64_t second = f.cell + f.inward, third = second + f.inward;
@@ -80,13 +90,22 @@ double boundary_force(const FluidSolver& s, const BoundaryFace& f) {
   return near + (near - beyond) * (own_width / next_width);
 }
 
+double boundary_pressure(const FluidSolver& s, const BoundaryFace& f) {
+  if (gives_pressure(f)) return f.pressure + f.side * f.resistance * s.state.flux[f.axis][f.face] / f.area;
+  const double force = s.work.face_force[0].empty() ? 0.0 : s.work.face_force[f.axis][f.face];
+  return s.state.pressure[f.cell] - f.side * f.half * (boundary_force(s, f) - force);
+}
+
 double passing_velocity(const FluidSolver& s, const BoundaryFace& f, int component) {
-  return f.kind == PatchKind::outlet ? s.state.velocity[component][f.cell] : f.velocity[component];
+  if (!gives_pressure(f)) return f.velocity[component];
+  if (f.kind == PatchKind::permeable && outward_flux(s, f) < 0)
+    return component == f.axis ? s.state.flux[f.axis][f.face] / (f.area * s.state.fraction[f.cell]) : 0;
+  return s.state.velocity[component][f.cell];
 }
 
 void add_boundary_convection(FluidSolver& s) {
   for (const BoundaryFace& f : s.boundary) {
-    if (f.kind != PatchKind::inlet && f.kind != PatchKind::outlet) continue;
+    if (f.kind != PatchKind::inlet && !gives_pressure(f)) continue;
     const double out = outward_flux(s, f);
     for (int c = 0; c < 3; ++c) s.work.rhs[c][f.cell] -= out * passing_velocity(s, f, c);
   }

@@ -17,7 +17,8 @@ using PlaceFormula = std::function<double(const std::array<double, 3>& place, do
 /// What a patch of the boundary gives to the fluid; empty formulas are zero.
 struct PatchValues {
   std::array<PlaceFormula, 3> velocity;  // of walls and inlets [m/s]
-  PlaceFormula pressure;                 // of outlets [Pa]
+  PlaceFormula pressure;                 // of outlets, and beyond permeable plates [Pa]
+  double resistance = 0, quadratic = 0;  // of plates: pressure over speed [Pa s/m], over its square [Pa s2/m2]
 };
 
 struct FluidSettings {
@@ -27,6 +28,7 @@ struct FluidSettings {
   std::array<double, 3> gravity{};            // [m/s2]
   std::array<PlaceFormula, 3> force;          // on the fluid, per volume [N/m3]; empty: none
   PlaceFormula void_fraction;                 // empty: 1
+  bool model_b = false;                       // see solver.h
   PlaceFormula drag;                          // K: the fluid feels K (v - u) per volume [kg/(m3 s)]; empty: none
   std::array<PlaceFormula, 3> drag_velocity;  // v [m/s]; empty: at rest
   bool moving_void_fraction = false;          // whether it depends on time
@@ -42,6 +44,19 @@ struct FluidSettings {
 struct FluidBooks {
   std::array<double, 4> content{}, change{};  // now; in the last step
   std::array<double, 4> error{}, turned{};  // since the start: the sum of what is missed; of the sizes of what entered
+
+  // Kinetic energy. By pressure: what flows through the boundary pushes, and what a moving void fraction displaces.
+  enum { by_walls, by_pressure, by_flow, by_forces, by_drag, by_friction, works };
+  double kinetic = 0, kinetic_start = 0;  // now, at the start [J]
+  std::array<double, works> work{};       // done on the fluid since the start [J]
+  std::array<double, works> power{};      // at the end of the last step [W]
+
+  /// What of the kinetic energy does not follow from that work: what the discretisation loses or makes [J].
+  double energy_error() const {
+    double missed = kinetic - kinetic_start;
+    for (const double w : work) missed -= w;
+    return missed;
+  }
 };
 
 /// Fields at the time of the step, and those of the step before where the next one needs them. Arrays of `flux` belong

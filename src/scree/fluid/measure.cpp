@@ -25,16 +25,9 @@ double boundary_dissipation(const FluidSolver& s) {
   for (const BoundaryFace& f : s.boundary)
     for (int c = 0; c < 3; ++c)
       if (const double own = wall_friction(s, f, c).own; own > 0)
-        sum += s.state.fraction[f.cell] * s.settings.viscosity * f.area / f.half *
+        sum += s.felt()[f.cell] * s.settings.viscosity * f.area / f.half *
                square(s.state.velocity[c][f.cell] - f.velocity[c]);
   return sum;
-}
-
-/// Pressure at a face of the boundary, as the cell beside it feels it.
-double face_pressure(const FluidSolver& s, const BoundaryFace& f) {
-  if (f.kind == PatchKind::outlet) return f.pressure;
-  const double force = s.work.face_force[0].empty() ? 0.0 : s.work.face_force[f.axis][f.face];
-  return s.state.pressure[f.cell] - f.side * f.half * (boundary_force(s, f) - force);
 }
 
 /// The cell whose middle is the last one not beyond `place` along an axis, so that there is another one behind it.
@@ -81,7 +74,7 @@ std::vector<PatchLoad> patch_loads(const FluidSolver& s) {
   for (const BoundaryFace& f : s.boundary) {
     PatchLoad& load = f.patch >= 0 ? out[f.patch] : out.back();
     load.flow += f.side * s.state.flux[f.axis][f.face];
-    load.force[f.axis] += f.side * f.area * face_pressure(s, f);
+    load.force[f.axis] += f.side * f.area * boundary_pressure(s, f);
     for (int c = 0; c < 3; ++c) {
       const WallFriction w = wall_friction(s, f, c);
       load.force[c] += w.own * (s.state.velocity[c][f.cell] - f.velocity[c]);

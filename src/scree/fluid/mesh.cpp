@@ -87,15 +87,17 @@ void find_boundary(Mesh& m) {
 
 void count(Mesh& m, const Ranks& ranks) {
   std::int64_t cells = 0;
-  bool outlets = false, slips = false;
+  bool outlets = false, slips = false, plates = false;
   for (int k = 0; k < m.n[2]; ++k)
     for (int j = 0; j < m.n[1]; ++j)
       for (int i = 0; i < m.n[0]; ++i) cells += m.fluid[m.index(i, j, k)] > 0;
   for (const BoundaryFace& f : m.boundary) {
-    outlets |= f.kind == PatchKind::outlet;
-    slips |= f.kind == PatchKind::slip;
+    plates |= f.kind == PatchKind::permeable;
+    outlets |= f.kind == PatchKind::outlet || f.kind == PatchKind::permeable;
+    slips |= f.kind == PatchKind::slip || f.kind == PatchKind::permeable;
   }
   m.cells = ranks.total(cells);
+  m.plates = ranks.total(plates) > 0;
   m.outlets = ranks.total(outlets) > 0;
   m.slips = ranks.total(slips) > 0;
   double volume = 0;

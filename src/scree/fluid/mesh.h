@@ -40,7 +40,8 @@ struct BoundaryFace {
   std::array<double, 3> reach{};  // half widths of the cell [m]
   // What is given there at the end of the step.
   std::array<double, 3> velocity{};  // [m/s]
-  double pressure = 0;               // [Pa]
+  double pressure = 0;               // of outlets, and beyond plates [Pa]
+  double resistance = 0;             // of plates, at the speed of the step [Pa s/m]
 };
 
 struct Mesh {
@@ -57,7 +58,8 @@ struct Mesh {
   VectorField open;  // 1 for faces between two cells of fluid, else 0
   Field fluid;       // 1 for cells of fluid, else 0; ghosts included
   std::vector<BoundaryFace> boundary;
-  bool slips = false;      // whether some face lets the fluid slip
+  bool slips = false;      // whether some face holds the fluid along some axes only
+  bool plates = false;     // whether some face is permeable, on any rank
   bool outlets = false;    // whether the pressure is given somewhere, on any rank
   std::int64_t cells = 0;  // of fluid, on all ranks
   double volume = 0;       // of the fluid, on all ranks [m3]

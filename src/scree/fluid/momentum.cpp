@@ -21,7 +21,7 @@ double inertia(const FluidSolver& s, const Bdf& bdf, std::int64_t c, double volu
 
 void find_face_friction(FluidSolver& s) {
   const Mesh& m = s.mesh;
-  const Field& e = s.state.fraction;
+  const Field& e = s.felt();
   // Viscosity times area over distance.
   for (int a = 0; a < 3; ++a) {
     Field& face = s.work.viscous.face[a];
@@ -80,7 +80,7 @@ void prepare_viscous(FluidSolver& s, const Bdf& bdf) {
 
 void find_drag_shift(FluidSolver& s, VectorField& shift) {
   const Mesh& m = s.mesh;
-  const auto resistance = [&](std::int64_t c) { return s.work.drag[c] / (s.state.fraction[c] * s.state.fraction[c]); };
+  const auto resistance = [&](std::int64_t c) { return s.work.drag[c] / (s.state.fraction[c] * s.felt()[c]); };
   for (int a = 0; a < 3; ++a)
     for_each_row(m, [&](int j, int k) {
       const std::int64_t at = m.index(0, j, k), st = m.stride[a];
@@ -181,7 +181,7 @@ void find_rhs(FluidSolver& s, const Bdf& bdf) {
 HelmholtzReport solve_momentum(FluidSolver& s) {
   const Mesh& m = s.mesh;
   FluidWork& w = s.work;
-  const Field& e = s.state.fraction;
+  const Field& e = s.felt();
   for_each_row(m, [&](int j, int k) {
     const std::int64_t at = m.index(0, j, k);
     const double* width = m.axis[0].width.data() + Mesh::ghosts;

@@ -2,7 +2,7 @@
 // The conductance D of both together carries what inertia brings there and what forces and the pressure drive:
 //   flux / area = D (mean(m / e^2) Q + force / e - grad p),   Q = e u without the force of the faces, times A / m
 // where m is A without drag. So layers of different drag are met exactly, and where there is nothing but fluid
-// D = dt / (a0 rho) everywhere.
+// D = dt / (a0 rho) everywhere. In model B one e of e^2 is 1: the resistance is A / (e felt).
 #include "scree/fluid/projection.h"
 
 #include <fmt/format.h>
@@ -22,9 +22,8 @@ namespace {
 constexpr int most_tries = 6;
 
 /// How much quicker than the flow and friction pass a cell the memory of its faces fades. Slower, the faces drift from
-/// the cells (Taylor-Green vortices on 32 x 32 cells: errors of 3.3e-3 at 1, 1.6e-3 at 3, 1.1e-3 at 8); quicker, less
-/// is left of the memory (the pressure of a passing body: 0.36, 0.33, 0.52, without memory 4.4 at 160 steps a cell and
-/// rising).
+/// the cells; quicker, less is left of the memory, and the pressure of a passing body grows with shorter steps.
+/// Measured from never to at once: the table in docs/fluid.md.
 constexpr double fading = 8;
 
 /// dt / (a0 rho).
@@ -36,7 +35,17 @@ double burden(const FluidSolver& s, double pace, std::int64_t c) {
 }
 
 double passage_of(const FluidSolver& s, double pace, const BoundaryFace& f) {
-  return s.state.fraction[f.cell] / burden(s, pace, f.cell);
+  return s.felt()[f.cell] / burden(s, pace, f.cell);
+}
+
+/// What a plate leaves of the flux that would pass without it.
+double share_of_plate(const FluidSolver& s, double pace, const BoundaryFace& f) {
+  return 1 / (1 + f.resistance * pace * passage_of(s, pace, f) / f.half);
+}
+
+/// What the correction of the pressure adds to the velocity of a cell, over the mean slope of its faces.
+double answer(const FluidSolver& s, double pace, std::int64_t c) {
+  return s.felt()[c] / (s.state.fraction[c] * burden(s, pace, c));
 }
 
 const VectorField& passage(const FluidSolver& s) { return s.plain() ? s.mesh.open : s.work.passage; }
@@ -44,7 +53,7 @@ const VectorField& passage(const FluidSolver& s) { return s.plain() ? s.mesh.ope
 /// What the faces let pass where there is something in the flow.
 void find_passage(FluidSolver& s, double pace) {
   const Mesh& m = s.mesh;
-  const Field& e = s.state.fraction;
+  const Field& e = s.felt();
   for (int a = 0; a < 3; ++a) {
     const std::int64_t st = m.stride[a];
     for (int k = 0; k <= m.n[2]; ++k)
@@ -79,7 +88,7 @@ void set_pressure_equations(FluidSolver& s, double pace) {
         }
   std::fill(outlets.begin(), outlets.end(), 0.0);
   for (const BoundaryFace& f : s.boundary)
-    if (f.kind == PatchKind::outlet) outlets[f.cell] += passage_of(s, pace, f) * f.area / f.half;
+    if (gives_pressure(f)) outlets[f.cell] += passage_of(s, pace, f) * share_of_plate(s, pace, f) * f.area / f.half;
   s.pressure->set(face, outlets);
 }
 
@@ -96,7 +105,7 @@ void find_inertial_flux(FluidSolver& s, double pace) {
       for (int i = 0; i < m.n[0]; ++i) out[i] = u[i] - pace * force[i];
       if (plain) continue;
       for (int i = 0; i < m.n[0]; ++i)
-        out[i] = s.state.fraction[at + i] * (u[i] * burden(s, pace, at + i) - pace * force[i]);
+        out[i] = s.state.fraction[at + i] * u[i] * burden(s, pace, at + i) - s.felt()[at + i] * pace * force[i];
     }
   });
   renew_ghosts(m, s.ranks, 1, {&s.work.spare[0], &s.work.spare[1], &s.work.spare[2]});
@@ -166,7 +175,7 @@ void correct(FluidSolver& s, double pace) {
         flux[i] -= area * pass[i] * (x[at + i] - x[at + i - st]) * slope[along * i];
       }
     });
-  const bool dragged = !s.work.drag.empty();
+  const bool dragged = !s.work.drag.empty() || s.settings.model_b;
   for_each_row(m, [&](int j, int k) {
     const std::int64_t at = m.index(0, j, k);
     const int place[3] = {0, j, k};
@@ -178,7 +187,7 @@ void correct(FluidSolver& s, double pace) {
       double* u = s.state.velocity[a].data() + at;
       if (dragged)
         for (int i = 0; i < m.n[0]; ++i)
-          u[i] -= 0.5 / burden(s, pace, at + i) *
+          u[i] -= 0.5 * answer(s, pace, at + i) *
                   (open[i] * (v[i] - v[i - st]) * slope[along * i] +
                    open[i + st] * (v[i + st] - v[i]) * slope[along * i + 1]);
       else
@@ -192,10 +201,10 @@ void correct(FluidSolver& s, double pace) {
     for (int i = 0; i < m.n[0]; ++i) p[i] += x[at + i] / pace;
   });
   for (const BoundaryFace& f : s.boundary) {
-    if (f.kind != PatchKind::outlet) continue;
-    const double slope = -f.side * x[f.cell] / f.half;
+    if (!gives_pressure(f)) continue;
+    const double slope = -f.side * x[f.cell] * share_of_plate(s, pace, f) / f.half;
     s.state.flux[f.axis][f.face] -= f.area * passage_of(s, pace, f) * slope;
-    s.state.velocity[f.axis][f.cell] -= 0.5 * slope / burden(s, pace, f.cell);
+    s.state.velocity[f.axis][f.cell] -= 0.5 * slope * answer(s, pace, f.cell);
   }
 }
 
@@ -208,7 +217,7 @@ void correct_drag(FluidSolver& s, double pace) {
     for_each_row(m, [&](int j, int k) {
       const std::int64_t at = m.index(0, j, k);
       for (std::int64_t c = at; c < at + m.n[0]; ++c)
-        s.state.velocity[a][c] += pace / burden(s, pace, c) * (w.drag_shift_now[a][c] - w.drag_shift[a][c]);
+        s.state.velocity[a][c] += pace * answer(s, pace, c) * (w.drag_shift_now[a][c] - w.drag_shift[a][c]);
     });
 }
 
@@ -259,10 +268,14 @@ double worst_residual(const FluidSolver& s, const Field& b, double dt) {
 }  // namespace
 
 void prepare_projection(FluidSolver& s, const Bdf& bdf) {
-  if (s.plain() && s.work.pressure_set) return;
+  if (s.plain() && s.work.pressure_set && !s.mesh.plates) return;
   if (!s.plain()) find_passage(s, pace(s, bdf));
   set_pressure_equations(s, pace(s, bdf));
   s.work.pressure_set = true;
+}
+
+double yielding(const FluidSolver& s, const Bdf& bdf, const BoundaryFace& f) {
+  return gives_pressure(f) ? share_of_plate(s, pace(s, bdf), f) : 0;
 }
 
 void find_memory(FluidSolver& s, const Bdf& bdf) {
@@ -348,10 +361,10 @@ void predict_flux(FluidSolver& s, const Bdf& bdf) {
       }
     });
   for (const BoundaryFace& f : s.boundary) {
-    if (f.kind != PatchKind::outlet) continue;
-    const double pass = passage_of(s, pace, f);
+    if (!gives_pressure(f)) continue;
+    const double pass = passage_of(s, pace, f) * share_of_plate(s, pace, f);
     s.state.flux[f.axis][f.face] =
-        f.area * pass * (s.work.spare[f.axis][f.cell] / s.state.fraction[f.cell] + pace * boundary_force(s, f));
+        f.area * pass * (s.work.spare[f.axis][f.cell] / s.felt()[f.cell] + pace * force_without_plate(s, f));
   }
 }
 

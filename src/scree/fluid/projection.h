@@ -17,6 +17,10 @@ void find_memory(FluidSolver& s, const Bdf& bdf);
 /// work.divergence = what leaves every cell with the present fluxes, and what its void fraction takes up [m3/s].
 void find_divergence(FluidSolver& s, const Bdf& bdf);
 
+/// How much of a correction of the pressure beside a face its own does not follow: 1 at outlets, less at plates, 0
+/// where nothing gives the pressure.
+double yielding(const FluidSolver& s, const Bdf& bdf, const BoundaryFace& f);
+
 /// Fluxes from the velocity before the projection.
 void predict_flux(FluidSolver& s, const Bdf& bdf);
 

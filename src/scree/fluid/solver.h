@@ -1,7 +1,8 @@
 // The flow solver: volume-averaged incompressible Navier-Stokes equations on a rectilinear grid.
 //
 //   mass      d(e)/dt + div(e u) = 0
-//   momentum  d(e rho u)/dt + div(rho F u) = -e grad p + div(e tau) + e rho g + f + K (v - u)     (model A)
+//   momentum  d(e rho u)/dt + div(rho F u) = -e grad p + div(e tau) + e rho g + f + K (v - u)          (model A)
+//                                          =   -grad p + div(tau)   + rho g + f / e + K / e (v - u)    (model B)
 //
 // e is the fraction of the volume that is fluid, F = e u the volume flux, K the drag of whatever else is there, moving
 // with v. Incremental fractional step with BDF2 (Guermond, Minev & Shen 2006) on collocated cells whose face fluxes are
@@ -38,7 +39,8 @@ struct FluidWork {
   Field wanted;             // what the corrections of the pressure bring in: the right-hand side of its equations
   VectorField conductance;  // their coefficients
   Field outlet_conductance;
-  Field drag;              // K; empty without drag
+  Field drag;              // K, in model B K / e; empty without drag
+  Field whole;             // 1 everywhere; with model B only
   VectorField face_force;  // force per volume over the void fraction at the faces; empty without forces
   VectorField passage;     // D a0 rho / dt of the faces, see projection.cpp; empty where all are as `open`
   VectorField share;       // of the flux that drag leaves; empty without drag
@@ -57,6 +59,9 @@ struct FluidSolver {
 
   /// Whether there is nothing in the flow: no void fraction, no drag.
   bool plain() const { return !settings.void_fraction && !settings.drag; }
+
+  /// The part of the pressure's gradient and of friction that acts on the fluid itself, for each cell.
+  const Field& felt() const { return settings.model_b ? work.whole : state.fraction; }
 
   const FluidRegion region;
   const FluidSettings settings;

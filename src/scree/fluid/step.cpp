@@ -7,6 +7,7 @@
 #include "scree/base/error.h"
 #include "scree/fluid/books.h"
 #include "scree/fluid/boundary.h"
+#include "scree/fluid/energy.h"
 #include "scree/fluid/halo.h"
 #include "scree/fluid/momentum.h"
 #include "scree/fluid/projection.h"
@@ -55,23 +56,26 @@ void evaluate_fraction(FluidSolver& s, double time) {
 
 void evaluate_drag(FluidSolver& s, double time) {
   if (!s.settings.drag) return;
-  for_each_cell(s.mesh, [&](std::int64_t c, const auto& x) { s.work.drag[c] = s.settings.drag(x, time); });
+  for_each_cell(s.mesh, [&](std::int64_t c, const auto& x) {
+    s.work.drag[c] = s.settings.drag(x, time) * (s.felt()[c] / s.state.fraction[c]);
+  });
   renew_ghosts(s.mesh, s.ranks, 1, {&s.work.drag});
 }
 
-/// Force per volume over the void fraction at a face, where `resistance` is the mean of 1 / void fraction there.
+/// Force per volume over the void fraction at a face; `thinness` is the mean of 1 / void fraction there, `drag` that of
+/// the drag over it.
 double face_force(const FluidSolver& s, int a, const std::array<double, 3>& x, double time, double drag,
-                  double resistance) {
-  double force = s.settings.force[a] ? s.settings.force[a](x, time) : 0;
+                  double thinness) {
+  double force = s.settings.force[a] ? s.settings.force[a](x, time) * thinness : 0;
   if (drag != 0 && s.settings.drag_velocity[a]) force += drag * s.settings.drag_velocity[a](x, time);
-  return s.settings.density * s.settings.gravity[a] + force * resistance;
+  return s.settings.density * s.settings.gravity[a] + force;
 }
 
 /// All forces on the fluid but friction and the drag of its own motion, at the faces: they meet the pressure there.
 void evaluate_forces(FluidSolver& s, double time) {
   if (s.work.face_force[0].empty()) return;
   const Mesh& m = s.mesh;
-  const Field& e = s.state.fraction;
+  const Field &e = s.state.fraction, &felt = s.felt();
   const auto drag_of = [&](std::int64_t c) { return s.work.drag.empty() ? 0.0 : s.work.drag[c]; };
   for (int a = 0; a < 3; ++a)
     for (int k = 0; k < m.n[2] + (a == 2); ++k)
@@ -85,11 +89,12 @@ void evaluate_forces(FluidSolver& s, double time) {
             x[d] =
                 d == a ? m.region->grid.faces[d][m.box.low[d] + at[d]] : m.region->grid.centre(d, m.box.low[d] + at[d]);
           const double above = m.axis[a].lower_share[Mesh::ghosts + at[a]], below = 1 - above;
-          s.work.face_force[a][c] =
-              face_force(s, a, x, time, below * drag_of(b) + above * drag_of(c), below / e[b] + above / e[c]);
+          const double drag = (below * drag_of(b) + above * drag_of(c)) * (below / felt[b] + above / felt[c]);
+          s.work.face_force[a][c] = face_force(s, a, x, time, drag, below / e[b] + above / e[c]);
         }
   for (const BoundaryFace& f : s.boundary)
-    s.work.face_force[f.axis][f.face] = face_force(s, f.axis, f.place, time, drag_of(f.cell), 1 / e[f.cell]);
+    s.work.face_force[f.axis][f.face] =
+        face_force(s, f.axis, f.place, time, drag_of(f.cell) / felt[f.cell], 1 / e[f.cell]);
 }
 
 bool has_forces(const FluidSettings& k) {
@@ -143,6 +148,10 @@ FluidSolver::FluidSolver(const FluidRegion& r, FluidSettings k, const Ranks& pro
     std::fill(f->begin(), f->end(), 1.0);
   }
   for (int c = 0; c < (mesh.slips ? 3 : 1); ++c) work.viscous.per_diagonal[c] = mesh.make_field();
+  if (settings.model_b) {
+    work.whole = mesh.make_field();
+    std::fill(work.whole.begin(), work.whole.end(), 1.0);
+  }
   if (settings.drag) {
     work.drag = mesh.make_field();
     for (VectorField* v : {&work.share, &work.drag_shift, &work.drag_shift_now}) *v = mesh.make_vector();
@@ -172,9 +181,10 @@ void set_velocity(FluidSolver& s, const std::array<PlaceFormula, 3>& velocity) {
               m.open[a][c] * m.area(a, i, j, k) * (lower * e[below] * u[a][below] + (1 - lower) * e[c] * u[a][c]);
         }
   for (const BoundaryFace& f : s.boundary)
-    if (f.kind == PatchKind::outlet) s.state.flux[f.axis][f.face] = e[f.cell] * f.area * u[f.axis][f.cell];
+    if (gives_pressure(f)) s.state.flux[f.axis][f.face] = e[f.cell] * f.area * u[f.axis][f.cell];
   refresh(s);
   open_books(s);
+  open_energy(s);
 }
 
 void refresh(FluidSolver& s) {
@@ -222,6 +232,7 @@ StepReport advance(FluidSolver& s, double dt) {
   ++st.step;
   expect_finite(s);
   close_books(s, bdf);
+  book_energy(s, dt);
   return report;
 }
 

@@ -56,7 +56,7 @@ void check_balance(const Check& check, const FluidRegion& region) {
   InletBalance sum;
   std::size_t first = f.patches.size();
   for (std::size_t i = 0; i < f.patches.size(); ++i) {
-    if (f.patches[i].type == "outlet") return;
+    if (f.patches[i].type == "outlet" || f.patches[i].type == "permeable") return;
     if (f.patches[i].type != "inlet") continue;
     first = std::min(first, i);
     add_inlet(region, i, f.patches[i].velocity, sum);

@@ -28,15 +28,31 @@ struct FluidPatchKeys {
   std::string face;                                    // x_min ... z_max
   std::string of;                                      // a block or an obstacle; empty: the domain
   std::array<double, 3> min{}, max{};                  // default: the whole face [m]
-  std::string type = "wall";                           // wall, slip, symmetry, inlet, outlet
+  std::string type = "wall";                           // wall, slip, symmetry, inlet, outlet, permeable
   std::array<std::string, 3> velocity{"0", "0", "0"};  // wall, inlet [m/s]
-  std::string pressure = "0";                          // outlet [Pa]
+  std::string pressure = "0";                          // outlet; of permeable: beyond it [Pa]
+  double resistance = 0;                               // permeable [Pa s/m]
+  double quadratic_resistance = 0;                     // permeable [Pa s2/m2]
 };
 
 /// Places at which velocity and pressure are written.
 struct FluidProbeKeys {
   std::string name;
   std::vector<std::array<double, 3>> points;  // [m]
+};
+
+/// Places on a straight line that go into a table of their own.
+struct FluidLineKeys {
+  std::string name;
+  std::array<double, 3> from{}, to{};  // [m]
+  std::uint64_t points = 101;
+  double every = 0;  // default: as the series [s]
+};
+
+/// Means over time, and fluctuations about them.
+struct FluidAverageKeys {
+  std::optional<double> from;  // [s]; empty: none
+  std::uint64_t every = 1;     // steps
 };
 
 /// What the solution is compared with.
@@ -57,6 +73,7 @@ struct FluidKeys {
   std::array<std::string, 3> velocity{"0", "0", "0"};  // at the start [m/s]
   std::array<std::string, 3> force{"0", "0", "0"};     // [N/m3]
   std::string void_fraction = "1";
+  std::string model = "a";                                  // a, b
   std::string drag = "0";                                   // [kg/(m3 s)]
   std::array<std::string, 3> drag_velocity{"0", "0", "0"};  // [m/s]
   std::string convection = "central";                       // central, symmetric, upwind, van_leer, superbee, quick
@@ -69,6 +86,8 @@ struct FluidKeys {
   std::string pressure_solver = "multigrid";  // multigrid, bicgstab
   double steady = 0;                          // 0: never
   std::vector<FluidProbeKeys> probes;
+  std::vector<FluidLineKeys> lines;
+  FluidAverageKeys averages;
   FluidReferenceKeys reference;
 };
 

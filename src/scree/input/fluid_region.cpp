@@ -28,6 +28,7 @@ class Builder {
     if (!sound_) return region_;
     expect_no_overlap();
     expect_no_gap();
+    if (sound_ && !region_.obstacles.empty()) expect_one_piece();
     if (!sound_) return region_;
     for (std::size_t i = 0; i < keys_.patches.size(); ++i) place_patch(i);
     return region_;
@@ -156,6 +157,55 @@ class Builder {
                     "a gap lies between", "let its corner be that of its neighbour");
   }
 
+  /// Whether the fluid has been cut into pieces by obstacles: pressures of pieces have nothing to do with each other.
+  void expect_one_piece() {
+    const std::array<std::int64_t, 3> n = {region_.grid.cells(0), region_.grid.cells(1), region_.grid.cells(2)};
+    std::vector<char> open(static_cast<std::size_t>(n[0] * n[1] * n[2]));
+    std::int64_t first = -1;
+    for (std::int64_t c = 0; c < std::ssize(open); ++c) {
+      open[c] = region_.is_fluid(static_cast<int>(c % n[0]), static_cast<int>(c / n[0] % n[1]),
+                                 static_cast<int>(c / n[0] / n[1]));
+      if (open[c] && first < 0) first = c;
+    }
+    if (first < 0)
+      return fail("E165", "obstacles.0.min", "the obstacles leave no fluid", "every cell of the blocks is in one", "");
+    std::vector<std::int64_t> front = {first};
+    open[first] = false;
+    while (!front.empty()) {
+      const std::int64_t c = front.back();
+      front.pop_back();
+      const std::array<std::int64_t, 3> at = {c % n[0], c / n[0] % n[1], c / n[0] / n[1]};
+      for (int a = 0; a < 3; ++a)
+        for (const int way : {-1, 1}) {
+          std::array<std::int64_t, 3> next = at;
+          next[a] += way;
+          if (region_.grid.periodic[a]) next[a] = (next[a] + n[a]) % n[a];
+          if (next[a] < 0 || next[a] >= n[a]) continue;
+          const std::int64_t neighbour = (next[2] * n[1] + next[1]) * n[0] + next[0];
+          if (!open[neighbour]) continue;
+          open[neighbour] = false;
+          front.push_back(neighbour);
+        }
+    }
+    const auto rest = std::ranges::find(open, char{true});
+    if (rest != open.end()) tell_of_piece(rest - open.begin(), n);
+  }
+
+  void tell_of_piece(std::int64_t c, const std::array<std::int64_t, 3>& n) {
+    const std::array<int, 3> at = {static_cast<int>(c % n[0]), static_cast<int>(c / n[0] % n[1]),
+                                   static_cast<int>(c / n[0] / n[1])};
+    std::string where = "of the domain";
+    for (std::size_t b = 0; b < keys_.blocks.size(); ++b)
+      if (!common(region_.blocks[b], CellBox{at, {at[0] + 1, at[1] + 1, at[2] + 1}}).empty())
+        where = fmt::format("of block '{}'", keys_.blocks[b].name);
+    const std::size_t last = keys_.obstacles.size() - 1;
+    fail("E165", fmt::format("obstacles.{}.min", last),
+         fmt::format("the obstacles up to '{}' cut the fluid in two", keys_.obstacles[last].name),
+         fmt::format("no way leads to ({:.4g}, {:.4g}, {:.4g}) m {}", region_.grid.centre(0, at[0]),
+                     region_.grid.centre(1, at[1]), region_.grid.centre(2, at[2]), where),
+         "leave a way, or make a case of each part");
+  }
+
   /// The cells of fluid beside a face of the domain, a block or an obstacle, before they are known to be fluid.
   std::optional<CellBox> cells_beside(std::size_t number, int axis, bool upper, bool& outward_upper) {
     const FluidPatchKeys& patch = keys_.patches[number];
@@ -218,10 +268,11 @@ class Builder {
     place.name = k.name;
     place.axis = k.face[0] - 'x';
     const bool upper = k.face.ends_with("max");
-    place.kind = k.type == "inlet"    ? PatchKind::inlet
-                 : k.type == "outlet" ? PatchKind::outlet
-                 : k.type == "wall"   ? PatchKind::wall
-                                      : PatchKind::slip;
+    place.kind = k.type == "inlet"       ? PatchKind::inlet
+                 : k.type == "outlet"    ? PatchKind::outlet
+                 : k.type == "permeable" ? PatchKind::permeable
+                 : k.type == "wall"      ? PatchKind::wall
+                                         : PatchKind::slip;
     const std::string path = fmt::format("patches.{}.face", number);
     for (const PatchPlace& other : region_.patches)
       if (other.name == k.name)

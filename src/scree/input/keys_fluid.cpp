@@ -88,15 +88,25 @@ const Section& patches_section() {
        key("max", &S::max, "upper corner of the part").unit("m").defaults_to("the whole face"),
        key("type", &S::type,
            "wall: the fluid moves with it; slip, symmetry: it passes along without friction; inlet: it passes with a "
-           "given velocity, in or out; outlet: it passes at a given pressure")
-           .one_of({"wall", "slip", "symmetry", "inlet", "outlet"}),
+           "given velocity, in or out; outlet: it passes at a given pressure; permeable: a porous plate, as under a "
+           "fluidised bed: it passes straight through as the pressures on both sides drive it")
+           .one_of({"wall", "slip", "symmetry", "inlet", "outlet", "permeable"}),
        key("velocity", &S::velocity, "of the wall, or of the fluid in the inlet")
            .unit("m/s")
            .only_with("type", {"wall", "inlet"}),
-       key("pressure", &S::pressure, "of the outlet: a formula of x, y, z and t")
+       key("pressure", &S::pressure, "of the outlet, or beyond the plate: a formula of x, y, z and t")
            .is_a(TextKind::formula)
            .unit("Pa")
-           .only_with("type", {"outlet"})},
+           .only_with("type", {"outlet", "permeable"}),
+       key("resistance", &S::resistance,
+           "of the plate: how much pressure a speed takes, the volume that passes over area and time")
+           .unit("Pa s/m")
+           .at_least(0)
+           .only_with("type", {"permeable"}),
+       key("quadratic_resistance", &S::quadratic_resistance, "of the plate: how much the square of that speed takes")
+           .unit("Pa s2/m2")
+           .at_least(0)
+           .only_with("type", {"permeable"})},
       [] { return std::make_shared<S>(); }};
   return section;
 }
@@ -112,6 +122,34 @@ const Section& probes_section() {
        key("points", &S::points, "the places").unit("m").required()},
       [] { return std::make_shared<S>(); },
       true};
+  return section;
+}
+
+const Section& lines_section() {
+  using S = FluidLineKeys;
+  static const Section section = {
+      "fluid.lines",
+      "[[fluid.lines]]",
+      "A straight line along which velocity and pressure go into a table of their own, lines/NAME.csv.",
+      {key("name", &S::name, "name of its table").is_a(TextKind::name).defaults_to("line0, line1, ..."),
+       key("from", &S::from, "where it begins").unit("m").required(),
+       key("to", &S::to, "where it ends").unit("m").required(),
+       key("points", &S::points, "how many places on it, both ends among them").between(2, 1e6),
+       key("every", &S::every, "time between two samples").unit("s").above(0).defaults_to("as the series")},
+      [] { return std::make_shared<S>(); },
+      true};
+  return section;
+}
+
+const Section& fluid_averages_section() {
+  using S = FluidAverageKeys;
+  static const Section section = {
+      "fluid.averages",
+      "[fluid.averages]",
+      "Means over time, and what fluctuates about them: more fields of the frames, see docs/files.md.",
+      {key("from", &S::from, "when they begin").unit("s").at_least(0).defaults_to("no averages"),
+       key("every", &S::every, "how many steps from one sample to the next").between(1, 1e6)},
+      [] { return std::make_shared<S>(); }};
   return section;
 }
 
@@ -162,18 +200,25 @@ std::vector<Key> grid_keys() {
 
 std::vector<Key> flow_keys() {
   using S = FluidKeys;
-  return {key("velocity", &S::velocity, "at the start").unit("m/s").only_with("type", solved),
-          key("force", &S::force, "on the fluid, per volume, beside gravity").unit("N/m3").only_with("type", solved),
-          key("void_fraction", &S::void_fraction,
-              "fraction of the volume that is fluid, where something else is in it: a formula of x, y, z and t")
-              .is_a(TextKind::formula)
-              .only_with("type", solved),
-          key("drag", &S::drag,
-              "K of the drag of what is in the flow: it acts on the fluid with K (drag_velocity - velocity) per volume")
-              .is_a(TextKind::formula)
-              .unit("kg/(m3 s)")
-              .only_with("type", solved),
-          key("drag_velocity", &S::drag_velocity, "of what is in the flow").unit("m/s").only_with("type", solved)};
+  return {
+      key("velocity", &S::velocity, "at the start").unit("m/s").only_with("type", solved),
+      key("force", &S::force, "on the fluid, per volume, beside gravity").unit("N/m3").only_with("type", solved),
+      key("void_fraction", &S::void_fraction,
+          "fraction of the volume that is fluid, where something else is in it: a formula of x, y, z and t")
+          .is_a(TextKind::formula)
+          .only_with("type", solved),
+      key("model", &S::model,
+          "which momentum equation. a: gradient of the pressure and friction act on what else is in the fluid, too; "
+          "b: on the fluid alone, and all forces on it are divided by the void fraction. Equal where a uniform flow "
+          "is steady")
+          .one_of({"a", "b"})
+          .only_with("type", solved),
+      key("drag", &S::drag,
+          "K of the drag of what is in the flow: it acts on the fluid with K (drag_velocity - velocity) per volume")
+          .is_a(TextKind::formula)
+          .unit("kg/(m3 s)")
+          .only_with("type", solved),
+      key("drag_velocity", &S::drag_velocity, "of what is in the flow").unit("m/s").only_with("type", solved)};
 }
 
 std::vector<Key> method_keys() {
@@ -226,6 +271,10 @@ std::vector<Key> method_keys() {
       tables<S, FluidProbeKeys>(
           "probes", [](S & s) -> auto& { return s.probes; }, probes_section())
           .only_with("type", solved),
+      tables<S, FluidLineKeys>(
+          "lines", [](S & s) -> auto& { return s.lines; }, lines_section())
+          .only_with("type", solved),
+      table("averages", &S::averages, fluid_averages_section()).only_with("type", solved),
       table("reference", &S::reference, reference_section()).only_with("type", solved)};
 }
 

@@ -69,6 +69,7 @@ void complete_fluid(Case& c, const Origins& origins) {
   name(f.obstacles, "fluid.obstacles", "obstacle");
   name(f.patches, "fluid.patches", "patch");
   name(f.probes, "fluid.probes", "probe");
+  name(f.lines, "fluid.lines", "line");
   for (std::size_t i = 0; i < f.patches.size(); ++i) {
     const std::string path = item_path("fluid.patches", i);
     if (!origins.given(path + ".min")) f.patches[i].min = c.domain.min;

@@ -29,16 +29,16 @@ constexpr std::array<std::pair<const char*, NumberedFiles>, 5> own_folders = {{{
                                                                                {"contacts", contact_files},
                                                                                {"fluid", fluid_files},
                                                                                {"checkpoints", checkpoint_files}}};
-constexpr const char* averages_folder = "averages";
+/// Folders whose files carry names of the case, and the endings of these.
+constexpr std::array<std::pair<const char*, const char*>, 3> named_files = {
+    {{"averages", ".h5"}, {"averages", ".xdmf"}, {"lines", ".csv"}}};
 
-/// The averages' files carry names of the case: all grids and films in their folder, and torn ones.
-std::vector<fs::path> files_of_averages(const fs::path& folder, bool torn) {
+/// All files with such an ending, or torn ones.
+std::vector<fs::path> find_named(const fs::path& folder, const std::string& ending) {
   std::vector<fs::path> found;
   if (!fs::is_directory(folder)) return found;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string(), ending = torn ? std::string(temporary_ending) : "";
-    if (name.ends_with(".h5" + ending) || name.ends_with(".xdmf" + ending)) found.push_back(entry.path());
-  }
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename().string().ends_with(ending)) found.push_back(entry.path());
   return found;
 }
 
@@ -97,7 +97,8 @@ void RunDirectory::remove_own_files(const fs::path& case_file) const {
   for (const auto& [folder, series] : own_folders) {
     for (const auto& [number, path] : list_numbered(series, directory_ / folder)) fs::remove(path);
   }
-  for (const fs::path& path : files_of_averages(directory_ / averages_folder, false)) fs::remove(path);
+  for (const auto& [folder, ending] : named_files)
+    for (const fs::path& path : find_named(directory_ / folder, ending)) fs::remove(path);
 }
 
 /// Temporary files of a run that was killed while it wrote them.
@@ -114,7 +115,9 @@ void RunDirectory::remove_leftovers() const {
     }
     for (const fs::path& path : leftovers) fs::remove(path);
   }
-  for (const fs::path& path : files_of_averages(directory_ / averages_folder, true)) fs::remove(path);
+  for (const auto& [folder, ending] : named_files)
+    for (const fs::path& path : find_named(directory_ / folder, ending + std::string(temporary_ending)))
+      fs::remove(path);
 }
 
 fs::path RunDirectory::checkpoint(std::uint64_t step) const {
@@ -124,7 +127,13 @@ fs::path RunDirectory::checkpoint(std::uint64_t step) const {
 void RunDirectory::drop_results_after(double last_time) const {
   for (const std::string_view name : own_files)
     if (name.ends_with(".csv") && fs::exists(directory_ / name)) drop_rows_after(directory_ / name, last_time);
+  for (const fs::path& path : find_named(directory_ / "lines", ".csv")) drop_rows_after(path, last_time);
   fs::remove(summary());
+}
+
+fs::path RunDirectory::line(const std::string& name) const {
+  make_directory(directory_ / "lines");
+  return directory_ / "lines" / (name + ".csv");
 }
 
 void RunDirectory::prune_checkpoints(std::size_t keep) const {

@@ -35,6 +35,8 @@ class RunDirectory {
   std::filesystem::path tracks() const { return directory_ / "tracks.csv"; }
   std::filesystem::path summary() const { return directory_ / "summary.json"; }
   std::filesystem::path checkpoint(std::uint64_t step) const;
+  /// The table of a line through the fluid; makes its folder. Throws ResourceError.
+  std::filesystem::path line(const std::string& name) const;
 
   /// Cuts every table at `last_time` [s] and removes the summary of the piece that a restart continues.
   void drop_results_after(double last_time) const;
