@@ -61,7 +61,7 @@ name = "across"
 from = [1.6, 0, 0.25]
 to = [1.6, 1, 0.25]
 points = 5
-every = 0.08
+every = 0.1
 [fluid.averages]
 from = 0.1
 every = 2
@@ -128,7 +128,7 @@ TEST(FluidRun, LinesAreTablesOfTheirOwn) {
   std::ifstream file(space / "run/lines/across.csv");
   int lines = 0;
   for (std::string line; std::getline(file, line);) ++lines;
-  EXPECT_EQ(lines, 1 + 6 * 5);  // at 0, 0.08, ... 0.4
+  EXPECT_EQ(lines, 1 + 5 * 5);  // at 0, 0.1, ... 0.4
 }
 
 TEST(FluidRun, SteadyFlowsEnd) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scree/app/bench_device.h"
+#include "scree/app/bench_fluid.h"
 #include "scree/app/bench_linear.h"
 #include "scree/app/bench_list.h"
 #include "scree/app/bench_mesh.h"
@@ -35,7 +36,7 @@ std::string cache_directory() {
 void check_names(const std::vector<std::string>& names) {
   std::vector<std::string> known;
   for (const BenchScene& scene : bench_scenes()) known.push_back(scene.name);
-  known.push_back("linear");
+  known.insert(known.end(), {"linear", "fluid"});
   known.insert(known.end(), {"gpu-spheres", "gpu-vortex"});
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
@@ -50,6 +51,8 @@ void check_options(const BenchOptions& options, const std::vector<std::string>& 
     throw InputError("--plot draws the benchmark 'linear': name it too, as in `scree bench linear --plot linear.png`");
   if (!options.set.empty() && std::find(names.begin(), names.end(), "linear") != names.end())
     throw InputError("--set changes scenes, not the benchmark 'linear'");
+  if (!options.set.empty() && std::find(names.begin(), names.end(), "fluid") != names.end())
+    throw InputError("--set changes scenes, not the benchmark 'fluid'");
   if (!options.plot.empty() && fs::path(options.plot).extension() != ".png")
     throw InputError(fmt::format("--plot '{}': the picture is a PNG; give it a name that ends in .png", options.plot));
   for (const std::string& file : {options.json, options.plot}) {
@@ -70,6 +73,14 @@ void measure(const std::string& name, const std::vector<int>& threads, const Ben
     for (const LinearFigures& f : measure_linear(threads, options.particles ? options.particles : 1000000, rounds)) {
       fmt::print("{}", linear_text(f));
       figures.push_back(linear_json(f));
+    }
+    return;
+  }
+  if (name == "fluid") {
+    for (const int t : threads) {
+      const FluidFigures f = measure_fluid(options.ranks, t, rounds);
+      if (options.ranks.root()) fmt::print("{}", fluid_text(f));
+      figures.push_back(fluid_json(f));
     }
     return;
   }
@@ -105,9 +116,17 @@ int bench(const BenchOptions& options) {
   check_names(names);
   check_options(options, names);
   std::vector<int> threads = {options.threads > 0 ? options.threads : 1};
-  if (options.threads == 0 && processors_alone().mine > 1) threads.push_back(processors_alone().mine);
+  // The other processes are there for the fluid, and have no threads to spare.
+  if (!options.ranks.alone() && names != std::vector<std::string>{"fluid"}) {
+    if (!options.ranks.root()) return 0;
+    if (std::ranges::find(names, "fluid") != names.end())
+      throw InputError("with several processes `scree bench fluid` measures nothing else: name it alone");
+  }
+  if (options.threads == 0 && options.ranks.alone() && processors_alone().mine > 1)
+    threads.push_back(processors_alone().mine);
   nlohmann::json figures = nlohmann::json::array();
   for (const std::string& name : names) measure(name, threads, options, figures);
+  if (!options.ranks.root()) return 0;
   fs::path file = options.json;
   if (file.empty() && !options.plot.empty()) file = fs::path(options.plot).replace_extension(".json");
   if (!file.empty())

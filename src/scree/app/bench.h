@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "scree/mpi/ranks.h"
+
 namespace scree {
 
 struct BenchOptions {
-  std::vector<std::string> names;  // of bench_scenes(), linear, gpu-spheres, gpu-vortex; empty: dense and dilute
+  std::vector<std::string> names;  // of bench_scenes(), linear, fluid, gpu-spheres, gpu-vortex; empty: dense and dilute
   int threads = 0;                 // 0: with one thread and with all
   int rounds = 0;                  // measurements of which the median counts; 0: 5, of linear 3
   std::int64_t particles = 0;      // the largest size; 0: of linear 1e6, on a device 1e7
@@ -16,6 +18,7 @@ struct BenchOptions {
   std::string json;                // file for the figures; empty: none
   std::string plot;                // linear: file for the picture (PNG; its figures beside it); empty: none
   std::vector<std::string> set;    // changes of the scenes, as of load_case(); not of how their particles are made
+  Ranks ranks;                     // of fluid; all others are measured by the root alone
   std::string packings;  // where the scenes' particles and meshes are kept; empty: the cache directory of the user
 };
 

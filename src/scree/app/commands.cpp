@@ -137,12 +137,14 @@ Command declare_verify(CLI::App& app) {
           }};
 }
 
-Command declare_bench(CLI::App& app) {
+Command declare_bench(CLI::App& app, const RanksOfRun& processes) {
   CLI::App* c = app.add_subcommand("bench", "Measure speed on the benchmark scenes, and how run time grows");
   auto options = std::make_shared<BenchOptions>();
-  c->add_option("names", options->names,
-                "dense, dilute, drum, silo, mix, ellipsoids, cylinders, boxes, exponents, shapes, linear, gpu-spheres, "
-                "gpu-vortex [dense dilute]");
+  options->ranks = processes.ranks();
+  c->add_option(
+      "names", options->names,
+      "dense, dilute, drum, silo, mix, ellipsoids, cylinders, boxes, exponents, shapes, linear, fluid, gpu-spheres, "
+      "gpu-vortex [dense dilute]");
   add_option(*c, "--threads", "threads [1 and all]", options->threads, read_count);
   add_option(*c, "--rounds", "measurements of which the median counts [5; linear and on devices 3]", options->rounds,
              read_count);
@@ -204,7 +206,7 @@ Command declare_plot(CLI::App& app) {
 }  // namespace
 
 Commands make_commands(CLI::App& app, const RanksOfRun& processes) {
-  return {declare_run(app, processes), declare_check(app), declare_verify(app), declare_bench(app),
+  return {declare_run(app, processes), declare_check(app), declare_verify(app), declare_bench(app, processes),
           declare_explain(app),        declare_info(app),  declare_new(app),    declare_plot(app)};
 }
 

@@ -36,7 +36,8 @@ int run_command(CLI::App& app, const RanksOfRun& processes, int argc, char** arg
     for (const Command& command : commands)
       if (command.name == chosen->get_name()) {
         // Of what is no run there is one copy, whoever has started several.
-        if (command.name != "run" && !processes.ranks().root()) return static_cast<int>(Exit::success);
+        if (command.name != "run" && command.name != "bench" && !processes.ranks().root())
+          return static_cast<int>(Exit::success);
         return command.run();
       }
   return static_cast<int>(Exit::success);
