@@ -68,7 +68,7 @@ double sphericity(double volume, double surface) {
 
 // With h(psi) the support function in the plane across the direction, the shadow has the area
 // 1/2 int (h^2 - h'^2) dpsi over the full turn (Minkowski). It is singular where a coordinate of the normal is zero.
-double shadow_area(const Axes& half_axes, double e1, double e2, const Axes& direction) {
+double shadow_area(const Axes& half_axes, double e1, double e2, const Axes& direction, int parts) {
   const sc_exponents support{sc_make_exponent(2 / (2 - e2)), sc_make_exponent(2 / (2 - e1))};
   const sc_vec scale = sc_make_vec(half_axes[0], half_axes[1], half_axes[2]);
   const sc_vec d = sc_make_vec(direction[0], direction[1], direction[2]), n = sc_scale(1 / sc_norm(d), d);
@@ -88,7 +88,6 @@ double shadow_area(const Axes& half_axes, double e1, double e2, const Axes& dire
   }
   std::sort(ends.begin(), ends.end());
   // Corners of the shadow are round over small angles: some parts of each piece.
-  constexpr int parts = 8;
   double sum = 0;
   for (std::size_t i = 1; i < ends.size(); ++i)
     for (int k = 0; k < parts; ++k) {
