@@ -1,4 +1,4 @@
-"""Draws the last frame of a fluid: speed and streamlines in the middle plane across its thinnest axis."""
+"""Draws the last frame of a fluid: speed, or temperature, and streamlines in the middle plane across its thinnest axis."""
 
 import h5py
 import matplotlib.pyplot as plt
@@ -6,12 +6,14 @@ import numpy as np
 
 
 def read_slice(path):
-    """Faces of both axes of the plane, velocity along them, speed, their names and the time. Bodies are masked."""
+    """Faces of both axes of the plane, velocity along them, what is coloured, names of the axes and the time. Bodies are
+    masked."""
     with h5py.File(path) as file:
         faces = [file["faces"][axis][:] for axis in "xyz"]
         shape = tuple(len(f) - 1 for f in reversed(faces))
         velocity = file["fields/velocity"][:].reshape(*shape, 3)
         fluid = file["fields/fluid"][:].reshape(shape) > 0
+        heat = file["fields/temperature"][:].reshape(shape) if "fields/temperature" in file else None
         time = float(file.attrs["time"])
     cells = [len(f) - 1 for f in faces]
     lengths = [f[-1] - f[0] for f in faces]
@@ -20,9 +22,11 @@ def read_slice(path):
     place = cells[across] // 2
     plane = np.take(velocity, place, axis=2 - across)
     here = np.take(fluid, place, axis=2 - across)
-    speed = np.ma.masked_where(~here, np.linalg.norm(plane, axis=-1))
+    colour = np.linalg.norm(plane, axis=-1) if heat is None else np.take(heat, place, axis=2 - across)
+    colour = np.ma.masked_where(~here, colour)
+    label = "speed [m/s]" if heat is None else "temperature [K]"
     along = [np.where(here, plane[..., a], np.nan) for a in (first, second)]
-    return faces[first], faces[second], along, speed, "xyz"[first] + "xyz"[second], time
+    return faces[first], faces[second], along, (colour, label), "xyz"[first] + "xyz"[second], time
 
 
 def even(faces, values_first, values_second, count):
@@ -40,13 +44,13 @@ def even(faces, values_first, values_second, count):
 
 def draw(path, picture):
     """Writes the picture of a frame; returns its path."""
-    x, y, along, speed, names, time = read_slice(path)
+    x, y, along, (colour, label), names, time = read_slice(path)
     wide = (x[-1] - x[0]) / (y[-1] - y[0])
     width = min(10.0, max(4.0, 7.0 * wide))
     figure, axes = plt.subplots(figsize=(width + 1.2, width / wide + 0.8), constrained_layout=True)
-    mesh = axes.pcolormesh(x, y, speed, cmap="viridis", shading="flat")
-    figure.colorbar(mesh, ax=axes, label="speed [m/s]", shrink=0.85)
-    if min(speed.shape) > 1 and np.ma.max(speed) > 0:
+    mesh = axes.pcolormesh(x, y, colour, cmap="viridis" if "speed" in label else "inferno", shading="flat")
+    figure.colorbar(mesh, ax=axes, label=label, shrink=0.85)
+    if min(colour.shape) > 1 and any(np.nanmax(np.abs(part)) > 0 for part in along):
         (px, py), u, v = even((x, y), *along, count=200)
         axes.streamplot(px, py, u, v, color="white", linewidth=0.7, density=1.6, arrowsize=0.8)
     axes.set(xlabel=f"{names[0]} [m]", ylabel=f"{names[1]} [m]", title=f"t = {time:.4g} s", aspect="equal",

@@ -299,52 +299,7 @@ region_max = [0.05, 0.048, 0.06]
 
 
 # A duct with a step, a body in it and a bed behind it, all of which the cuts between ranks go through.
-FLUID = """
-[simulation]
-end = 0.2
-[domain]
-min = [0, 0, 0]
-max = [2, 1, 0.5]
-periodic = [false, false, true]
-[gravity]
-type = "uniform"
-acceleration = [0, -1, 0]
-[fluid]
-type = "incompressible"
-density = 1.2
-viscosity = 0.01
-cells = [16, 8, 4]
-convection = "van_leer"
-time_step = 0.01
-divergence_tolerance = 1e-11
-correctors = 2
-void_fraction = "x > 1.5 ? 0.7 + 0.1 * sin(5 * t) : 1"
-drag = "x > 1.5 ? 2 : 0"
-[[fluid.blocks]]
-min = [0, 0.5, 0]
-max = [0.5, 1, 0.5]
-[[fluid.blocks]]
-min = [0.5, 0, 0]
-max = [2, 1, 0.5]
-[[fluid.obstacles]]
-min = [1, 0.25, 0]
-max = [1.25, 0.5, 0.25]
-[[fluid.patches]]
-name = "in"
-face = "x_min"
-type = "inlet"
-velocity = ["1 + 0.2 * sin(10 * t)", "0", "0"]
-[[fluid.patches]]
-name = "out"
-face = "x_max"
-type = "outlet"
-[[fluid.probes]]
-name = "wake"
-points = [[1.6, 0.3, 0.1], [0.1, 0.1, 0.1]]
-[output]
-series = 0.02
-frames = 0.1
-"""
+FLUID = (pathlib.Path(__file__).parent / "ranks_fluid.toml").read_text()
 
 
 def content(file):
@@ -561,7 +516,8 @@ def variable(pid, name):
 class FluidOnSeveralRanks(Ranks):
     def fields(self, output):
         with h5py.File(sorted((self.work / output / "fluid").glob("*.h5"))[-1]) as file:
-            return {name: file["fields"][name][:] for name in ("velocity", "pressure")}
+            return {name: file["fields"][name][:]
+                    for name in ("velocity", "pressure", "temperature", "dye", "eddy_viscosity")}
 
     def hash(self, output):
         return json.loads((self.work / output / "summary.json").read_text())["fluid_hash"]

@@ -37,6 +37,18 @@ inline PlaceFormula constant(double value) {
   return [value](const std::array<double, 3>&, double) { return value; };
 }
 
+/// The derivative of f(shift) at 0, of sixth order.
+template <class F>
+double slope(F&& f) {
+  constexpr double h = 0.02;
+  return (45 * (f(h) - f(-h)) - 9 * (f(2 * h) - f(-2 * h)) + (f(3 * h) - f(-3 * h))) / (60 * h);
+}
+
+inline std::array<double, 3> moved(std::array<double, 3> x, int axis, double by) {
+  x[axis] += by;
+  return x;
+}
+
 /// Advances by equal steps of about dt to the time `end`; returns the report of the last one.
 inline StepReport run(FluidSolver& s, double end, double dt) {
   const int steps = std::max(1, static_cast<int>(std::lround((end - s.state.time) / dt)));

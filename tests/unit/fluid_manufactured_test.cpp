@@ -28,18 +28,6 @@ double drag(const Place& x, double) { return 1.5 + std::sin(x[0]); }
 
 constexpr std::array<double, 2> drag_velocity = {0.3, -0.5};
 
-/// The derivative of f(shift) at 0.
-template <class F>
-double slope(F&& f) {
-  constexpr double h = 0.02;
-  return (45 * (f(h) - f(-h)) - 9 * (f(2 * h) - f(-2 * h)) + (f(3 * h) - f(-3 * h))) / (60 * h);
-}
-
-Place moved(Place x, int axis, double by) {
-  x[axis] += by;
-  return x;
-}
-
 double gradient(int component, int axis, const Place& x, double t) {
   return slope([&](double h) { return velocity(component, moved(x, axis, h), t); });
 }

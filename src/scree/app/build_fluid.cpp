@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -27,6 +28,68 @@ int convection_of(const std::string& word) {
   throw std::logic_error("unknown convection scheme");
 }
 
+/// A formula that may not be given; 0 counts as given.
+PlaceFormula optional_formula(const std::string& text) {
+  return text.empty() ? PlaceFormula() : place_formula(text, std::numeric_limits<double>::quiet_NaN());
+}
+
+/// A property that may depend on the temperature: the number or the formula.
+void set_property(const std::string& text, double& number, std::function<double(double)>& of_temperature) {
+  Expression formula(text, {"T"});
+  if (!formula.uses("T")) {
+    number = formula(std::array{0.0});
+    return;
+  }
+  const auto shared = std::make_shared<Expression>(std::move(formula));
+  of_temperature = [shared](double t) { return (*shared)(std::array{t}); };
+}
+
+ScalarSettings heat_settings(const Case& c) {
+  const FluidHeatKeys& k = c.fluid.heat;
+  ScalarSettings s;
+  s.name = "temperature";
+  s.capacity = c.fluid.density * k.heat_capacity;
+  set_property(k.conductivity, s.conductivity, s.conductivity_of);
+  s.source = place_formula(k.source, 0);
+  s.expansion = k.expansion;
+  s.reference = k.reference_temperature;
+  s.turbulent_prandtl = c.fluid.turbulence.prandtl;
+  s.convection = convection_of(k.convection);
+  for (const FluidPatchKeys& patch : c.fluid.patches)
+    s.patches.push_back({optional_formula(patch.temperature), optional_formula(patch.heat_flux)});
+  return s;
+}
+
+ScalarSettings scalar_settings(const Case& c, const FluidScalarKeys& k) {
+  ScalarSettings s;
+  s.name = k.name;
+  s.conductivity = k.diffusivity;
+  s.source = place_formula(k.source, 0);
+  s.expansion = k.expansion;
+  s.reference = k.reference;
+  s.turbulent_prandtl = c.fluid.turbulence.schmidt;
+  s.convection = convection_of(k.convection);
+  for (const FluidPatchKeys& patch : c.fluid.patches) {
+    const auto own = std::ranges::find(k.patches, patch.name, &FluidScalarPatchKeys::patch);
+    ScalarPatch given;
+    if (own != k.patches.end()) given = {optional_formula(own->value), optional_formula(own->flux)};
+    if (patch.type == "inlet" && !given.value) given.value = optional_formula("0");
+    s.patches.push_back(given);
+  }
+  return s;
+}
+
+TurbulenceSettings turbulence_settings(const FluidTurbulenceKeys& k) {
+  using Model = TurbulenceSettings::Model;
+  TurbulenceSettings s;
+  s.model = k.model == "none" ? Model::none : k.model == "dynamic" ? Model::dynamic : Model::smagorinsky;
+  s.constant = k.constant;
+  s.lagrangian = k.average == "paths";
+  if (!s.lagrangian && k.average != "cells")
+    for (const char axis : k.average) s.along[axis - 'x'] = true;
+  return s;
+}
+
 }  // namespace
 
 PlaceFormula place_formula(const std::string& text, double nothing) {
@@ -41,6 +104,13 @@ PlaceFormula place_formula(const std::string& text, double nothing) {
 
 std::array<PlaceFormula, 3> place_formulas(const Expression3& text) {
   return {place_formula(text[0], 0), place_formula(text[1], 0), place_formula(text[2], 0)};
+}
+
+std::vector<PlaceFormula> scalars_at_start(const Case& c) {
+  std::vector<PlaceFormula> out;
+  if (c.fluid.heat.type != "none") out.push_back(place_formula(c.fluid.heat.temperature, 0));
+  for (const FluidScalarKeys& k : c.fluid.scalars) out.push_back(place_formula(k.value, 0));
+  return out;
 }
 
 FluidRegion build_fluid_region(const Case& c) {
@@ -69,6 +139,13 @@ FluidSettings build_fluid_settings(const Case& c) {
     values.quadratic = patch.quadratic_resistance;
     s.patches.push_back(values);
   }
+  if (k.heat.type != "none") {
+    s.temperature = 0;
+    s.scalars.push_back(heat_settings(c));
+    if (!k.heat.viscosity.empty()) set_property(k.heat.viscosity, s.viscosity, s.viscosity_of);
+  }
+  for (const FluidScalarKeys& scalar : k.scalars) s.scalars.push_back(scalar_settings(c, scalar));
+  s.turbulence = turbulence_settings(k.turbulence);
   s.divergence_tolerance = k.divergence_tolerance;
   s.viscous_tolerance = k.viscous_tolerance;
   s.correctors = static_cast<int>(k.correctors);

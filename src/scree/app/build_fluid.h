@@ -12,6 +12,9 @@ FluidRegion build_fluid_region(const Case& c);
 /// What the fluid obeys.
 FluidSettings build_fluid_settings(const Case& c);
 
+/// The values at the start of what the fluid carries, in the order of the settings.
+std::vector<PlaceFormula> scalars_at_start(const Case& c);
+
 /// Three formulas of x, y, z and t; empty where the text is 0.
 std::array<PlaceFormula, 3> place_formulas(const Expression3& text);
 

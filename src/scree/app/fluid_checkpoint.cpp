@@ -26,6 +26,13 @@ void for_each_field(State& s, Visit&& visit) {
   visit("fluid_correction", 3, s.correction);
   visit("fluid_fraction", 3, s.fraction);
   visit("fluid_fraction_old", 3, s.fraction_old);
+  for (std::size_t n = 0; n < s.scalars.size(); ++n) {
+    visit(fmt::format("fluid_scalar{}", n), 3, s.scalars[n].value);
+    visit(fmt::format("fluid_scalar{}_old", n), 3, s.scalars[n].value_old);
+  }
+  if (s.eddies_found.empty()) return;
+  visit("fluid_eddies_found", 3, s.eddies_found);
+  visit("fluid_eddies_modelled", 3, s.eddies_modelled);
 }
 
 std::vector<double> gather(const FluidSolver& s, int axis, const Field& field) {
@@ -47,6 +54,8 @@ Archive save_fluid(const FluidSolver& s) {
   for (const auto& row : {b.content, b.change, b.error, b.turned}) books.insert(books.end(), row.begin(), row.end());
   books.insert(books.end(), {b.kinetic, b.kinetic_start});
   for (const auto& row : {b.work, b.power}) books.insert(books.end(), row.begin(), row.end());
+  for (const ScalarState& scalar : s.state.scalars)
+    books.insert(books.end(), {scalar.books.content, scalar.books.change, scalar.books.error, scalar.books.turned});
   out.put("fluid_books", std::move(books));
   return out;
 }
@@ -77,6 +86,10 @@ void restore_fluid(FluidSolver& s, const Archive& archive) {
   for (auto* row : {&st.books.work, &st.books.power}) {
     std::copy_n(from, row->size(), row->begin());
     from += static_cast<std::ptrdiff_t>(row->size());
+  }
+  for (ScalarState& scalar : st.scalars) {
+    scalar.books = {from[0], from[1], from[2], from[3]};
+    from += 4;
   }
   refresh(s);
   // The boundary as it was, not as it is at the rounded time.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "scree/app/build_fluid.h"
+#include "scree/app/scalar_columns.h"
 
 namespace scree {
 namespace {
@@ -50,6 +51,8 @@ std::vector<std::string> fluid_columns(const Case& c) {
         names.push_back(probe.name + (probe.points.size() > 1 ? std::to_string(i) : "") + quantity);
   if (c.fluid.reference.type != "none")
     names.insert(names.end(), {"error_velocity", "error_velocity_rms", "error_pressure_rms"});
+  const std::vector<std::string> carried = scalar_columns(c);
+  names.insert(names.end(), carried.begin(), carried.end());
   return names;
 }
 
@@ -90,6 +93,8 @@ std::vector<double> fluid_row(const Case& c, const FluidSolver& s, const FluidTa
         error_against(s, place_formulas(c.fluid.reference.velocity), place_formula(c.fluid.reference.pressure, 0));
     v.insert(v.end(), {e.velocity, e.velocity_rms, e.pressure_rms});
   }
+  const std::vector<double> carried = scalar_row(c, s);
+  v.insert(v.end(), carried.begin(), carried.end());
   return v;
 }
 

@@ -127,6 +127,15 @@ void FluidOutputs::write_frame(const FluidSolver& s) {
   if (!s.plain())
     columns.push_back(column(single, "void_fraction", "1", "fraction of the volume that is fluid",
                              gather_cells(s, s.state.fraction)));
+  for (std::size_t n = 0; n < s.settings.scalars.size(); ++n) {
+    const bool heat = static_cast<int>(n) == s.settings.temperature;
+    columns.push_back(column(single, s.settings.scalars[n].name.c_str(), heat ? "K" : "1",
+                             heat ? "temperature of the fluid" : "dissolved in the fluid",
+                             gather_cells(s, s.state.scalars[n].value)));
+  }
+  if (!s.work.eddies.empty())
+    columns.push_back(
+        column(single, "eddy_viscosity", "Pa s", "of eddies smaller than the cells", gather_cells(s, s.work.eddies)));
   columns.push_back(column_of<std::uint8_t>("fluid", "1", "1 where there is fluid, 0 in bodies and beyond blocks",
                                             gather_cells(s, s.mesh.fluid), 1));
   if (averages_) add_averages(s, *averages_, single, columns);

@@ -14,6 +14,7 @@ namespace {
 constexpr double fields_of_solver = 48;  // of all cells, ghosts included
 constexpr double multigrid_bytes = 300;  // per cell: hypre's matrices and vectors on all levels
 constexpr double largest_growth = 1.3;   // of a cell over its neighbour
+constexpr double most_expansion = 0.1;   // over the temperatures of a fluid of constant density
 constexpr double slow_factor = 5;        // odd factors of a period that slow the multigrid down
 
 struct Widths {
@@ -64,6 +65,48 @@ std::string line(const char* what, const std::string& value, const std::string& 
   return fmt::format("{:<28} {:<44} {}\n", what, value, verdict);
 }
 
+/// Between what temperatures of the boundary and of the fluid at the start buoyancy acts, at the beginning [K].
+double given_range(const FluidRegion& r, const ScalarSettings& heat, const PlaceFormula& start) {
+  const auto middle = [&](const CellBox& box) {
+    std::array<double, 3> x{};
+    for (int a = 0; a < 3; ++a) x[a] = 0.5 * (r.grid.faces[a][box.low[a]] + r.grid.faces[a][box.high[a]]);
+    return x;
+  };
+  double lowest = start ? start(middle(r.grid.all()), 0) : 0, highest = lowest;
+  for (std::size_t p = 0; p < r.patches.size(); ++p) {
+    if (!heat.patches[p].value) continue;
+    const double t = heat.patches[p].value(middle(r.patches[p].cells), 0);
+    lowest = std::min(lowest, t);
+    highest = std::max(highest, t);
+  }
+  return highest - lowest;
+}
+
+/// Numbers of a fluid that carries heat, at its reference temperature.
+std::string heat_lines(const Case& c, const FluidRegion& r) {
+  if (c.fluid.heat.type == "none") return {};
+  const FluidSettings s = build_fluid_settings(c);
+  const ScalarSettings& heat = s.scalars[0];
+  const double viscosity = s.viscosity_of ? s.viscosity_of(heat.reference) : s.viscosity;
+  const double conductivity = heat.conductivity_of ? heat.conductivity_of(heat.reference) : heat.conductivity;
+  if (!(viscosity > 0 && conductivity > 0)) return {};
+  const double spread = conductivity / heat.capacity, friction = viscosity / s.density;
+  std::string text = line("Prandtl number", fmt::format("{:.4g}", friction / spread), "ok");
+  if (!s.buoyant()) return text;
+  int down = 0;
+  for (int a = 1; a < 3; ++a)
+    if (std::abs(s.gravity[a]) > std::abs(s.gravity[down])) down = a;
+  const double height = r.grid.faces[down].back() - r.grid.faces[down].front();
+  const double range = given_range(r, heat, scalars_at_start(c)[0]);
+  const double pull = std::abs(s.gravity[down] * heat.expansion) * range;
+  const bool light = std::abs(heat.expansion) * range < most_expansion;
+  text += line("expansion", fmt::format("{:.3g} of the volume over {:.4g} K", heat.expansion * range, range),
+               light ? "ok" : "warning: above 0.1 the density is no constant, as it is taken to be");
+  return text + line("Rayleigh number",
+                     fmt::format("{:.4g} over {:.4g} m", pull * std::pow(height, 3) / (spread * friction), height),
+                     "ok");
+}
+
 }  // namespace
 
 std::string fluid_report(const Case& c) {
@@ -99,6 +142,7 @@ std::string fluid_report(const Case& c) {
           fmt::format("{:.4g} over {:.4g} m, {:.4g} of a cell", per_length * across, across, per_length * least), "ok");
     }
   }
+  text += heat_lines(c, r);
   const double memory = cells * (8 * fields_of_solver + multigrid_bytes);
   const auto there = available_memory();
   text += line("memory", fmt::format("about {:.3g} MB", 1e-6 * memory),

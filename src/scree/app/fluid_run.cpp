@@ -17,6 +17,9 @@
 #include "scree/app/run_parts.h"
 #include "scree/base/atomic_file.h"
 #include "scree/base/stopwatch.h"
+#include "scree/fluid/buoyancy.h"
+#include "scree/fluid/scalar.h"
+#include "scree/fluid/scalar_measure.h"
 #include "scree/input/located.h"
 #include "scree/input/write.h"
 
@@ -37,7 +40,7 @@ class FluidRun {
     if (beginning.archive)
       restore_fluid(solver_, *beginning.archive);
     else
-      set_velocity(solver_, place_formulas(c.fluid.velocity));
+      begin();
     first_step_ = solver_.state.step;
     // The root writes into the directory when all have read what is there.
     options.ranks.all(true);
@@ -75,6 +78,11 @@ class FluidRun {
   }
 
  private:
+  void begin() {
+    set_scalars(solver_, scalars_at_start(case_));
+    set_velocity(solver_, place_formulas(case_.fluid.velocity));
+  }
+
   void open_directory(const Beginning& beginning) {
     directory_ = std::make_unique<RunDirectory>(options_.directory, beginning.existing, case_.path);
     if (beginning.archive) directory_->drop_checkpoints_after(static_cast<std::uint64_t>(solver_.state.step));
@@ -92,7 +100,7 @@ class FluidRun {
   /// The automatic time step before it is fitted to what is due.
   double free_step() {
     if (case_.fluid.time_step) return *case_.fluid.time_step;
-    const double rate = courant_rate(solver_);
+    const double rate = std::max(courant_rate(solver_), buoyancy_rate(solver_));
     double allowed = case_.fluid.longest_step.value_or(case_.simulation.end / 100);
     if (rate > 0) allowed = std::min(allowed, case_.fluid.courant / rate);
     double& pace = solver_.state.pace;
@@ -130,7 +138,7 @@ class FluidRun {
     tally_.courant = courant_;
     const double fastest = measure(solver_).fastest;
     const double passing = fastest * courant_;
-    tally_.change = passing > 0 ? last_change(solver_) / passing : 0;
+    tally_.change = std::max(passing > 0 ? last_change(solver_) / passing : 0, scalar_change(solver_, courant_));
   }
 
   bool at_end() const { return solver_.state.time >= end_ - same * end_; }

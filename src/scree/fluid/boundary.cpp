@@ -60,12 +60,15 @@ void set_boundary(FluidSolver& s, double time) {
   if (!s.mesh.outlets && !s.settings.moving_void_fraction) balance_inlets(s);
 }
 
-WallFriction wall_friction(const FluidSolver& s, const BoundaryFace& f, int component) {
-  if (!holds(f, component)) return {};
-  const double strength = s.felt()[f.cell] * s.settings.viscosity * f.area;
+WallFriction wall_exchange(const BoundaryFace& f, double strength) {
   if (f.depth == 1) return {strength / f.half, 0};
   const double y1 = f.half, y2 = f.second;
   return {strength * y2 / (y1 * (y2 - y1)), strength * y1 / (y2 * (y2 - y1))};
+}
+
+WallFriction wall_friction(const FluidSolver& s, const BoundaryFace& f, int component) {
+  if (!holds(f, component)) return {};
+  return wall_exchange(f, s.felt()[f.cell] * f.viscosity * f.area);
 }
 
 double force_without_plate(const FluidSolver& s, const BoundaryFace& f) {

@@ -27,6 +27,9 @@ struct WallFriction {
   double own = 0, behind = 0;
 };
 
+/// That of a quantity which spreads with this strength: conductivity times area.
+WallFriction wall_exchange(const BoundaryFace& f, double strength);
+
 WallFriction wall_friction(const FluidSolver& s, const BoundaryFace& f, int component);
 
 /// The force of a boundary face as one between cells would have it: extrapolated at walls, by the given pressure at

@@ -72,19 +72,19 @@ struct Tile {
 template <int Scheme>
 class Pass {
  public:
-  Pass(const Mesh& mesh, const VectorField& flux, const VectorField& value, VectorField& out)
+  Pass(const Mesh& mesh, const VectorField& flux, std::span<const Field> value, std::span<Field> out)
       : mesh_(mesh), flux_(flux), value_(value), out_(out) {}
 
   void run(const Tile& t) const {
-    const int n = mesh_.n[0], rows = t.j1 - t.j0;
-    std::vector<double> layer(std::size_t{3} * n * rows), lower(std::size_t{3} * n), upper(std::size_t{3} * n),
-        along(static_cast<std::size_t>(n) + 1);
-    for (int c = 0; c < 3; ++c)
+    const int n = mesh_.n[0], rows = t.j1 - t.j0, values = static_cast<int>(value_.size());
+    const std::size_t row = static_cast<std::size_t>(values) * n;
+    std::vector<double> layer(row * rows), lower(row), upper(row), along(static_cast<std::size_t>(n) + 1);
+    for (int c = 0; c < values; ++c)
       for (int j = t.j0; j < t.j1; ++j) faces<0>(2, j, t.k0, c, n, &layer[(c * rows + j - t.j0) * std::size_t(n)]);
     for (int k = t.k0; k < t.k1; ++k) {
-      for (int c = 0; c < 3; ++c) faces<0>(1, t.j0, k, c, n, &lower[c * std::size_t(n)]);
+      for (int c = 0; c < values; ++c) faces<0>(1, t.j0, k, c, n, &lower[c * std::size_t(n)]);
       for (int j = t.j0; j < t.j1; ++j) {
-        for (int c = 0; c < 3; ++c) {
+        for (int c = 0; c < values; ++c) {
           double* balance = out_[c].data() + mesh_.index(0, j, k);
           faces<1>(0, j, k, c, n + 1, along.data());
           settle_row(n, along.data(), along.data() + 1, balance);
@@ -112,12 +112,12 @@ class Pass {
 
   const Mesh& mesh_;
   const VectorField& flux_;
-  const VectorField& value_;
-  VectorField& out_;
+  std::span<const Field> value_;
+  std::span<Field> out_;
 };
 
 template <int Scheme>
-void run_pass(const Mesh& mesh, const VectorField& flux, const VectorField& value, VectorField& out) {
+void run_pass(const Mesh& mesh, const VectorField& flux, std::span<const Field> value, std::span<Field> out) {
   const Pass<Scheme> pass(mesh, flux, value, out);
   const int axis = mesh.n[2] >= mesh.n[1] ? 2 : 1, n = mesh.n[axis];
   const int tiles = std::min(omp_get_max_threads(), n);
@@ -130,7 +130,8 @@ void run_pass(const Mesh& mesh, const VectorField& flux, const VectorField& valu
 
 }  // namespace
 
-void convect(const Mesh& mesh, int scheme, const VectorField& flux, const VectorField& value, VectorField& out) {
+void convect(const Mesh& mesh, int scheme, const VectorField& flux, std::span<const Field> value,
+             std::span<Field> out) {
   constexpr auto passes = std::array{run_pass<SC_CENTRAL>,  run_pass<SC_SYMMETRIC>, run_pass<SC_UPWIND>,
                                      run_pass<SC_VAN_LEER>, run_pass<SC_SUPERBEE>,  run_pass<SC_QUICK>};
   passes[scheme](mesh, flux, value, out);

@@ -21,22 +21,66 @@ struct PatchValues {
   double resistance = 0, quadratic = 0;  // of plates: pressure over speed [Pa s/m], over its square [Pa s2/m2]
 };
 
+/// What a patch gives to a quantity that the fluid carries. Without a value nothing is conducted through walls but
+/// `flux`.
+struct ScalarPatch {
+  PlaceFormula value;  // of walls, of what comes in through inlets, and of what comes back through outlets
+  PlaceFormula flux;   // of walls, into the fluid, per area
+};
+
+/// A quantity that the fluid carries and that spreads in it: the temperature, or what is dissolved. Its content is
+/// capacity times value, per volume of fluid.
+struct ScalarSettings {
+  std::string name;
+  double capacity = 1;                            // of heat: density times heat capacity [J/(m3 K)]
+  double conductivity = 0;                        // of heat [W/(m K)]; of what is dissolved the diffusivity [m2/s]
+  std::function<double(double)> conductivity_of;  // the same as a function of the value; empty: constant
+  PlaceFormula source;                            // of content, per volume of all; empty: none
+  double expansion = 0, reference = 0;            // the fluid is lighter by expansion times (value - reference)
+  double turbulent_prandtl = 0.9;                 // of eddies: viscosity over diffusivity
+  int convection = SC_VAN_LEER;
+  std::vector<ScalarPatch> patches;  // as those of the region
+};
+
+/// What eddies smaller than the cells do.
+struct TurbulenceSettings {
+  enum class Model { none, smagorinsky, dynamic };
+  Model model = Model::none;
+  double constant = 0.17;       // of Smagorinsky
+  std::array<bool, 3> along{};  // dynamic: axes along which the constant is averaged
+  bool lagrangian = false;      // dynamic: averaged along the paths of the fluid
+};
+
 struct FluidSettings {
   double density = 1;    // [kg/m3]
   double viscosity = 0;  // dynamic [Pa s]
   int convection = SC_CENTRAL;
-  std::array<double, 3> gravity{};            // [m/s2]
-  std::array<PlaceFormula, 3> force;          // on the fluid, per volume [N/m3]; empty: none
-  PlaceFormula void_fraction;                 // empty: 1
-  bool model_b = false;                       // see solver.h
-  PlaceFormula drag;                          // K: the fluid feels K (v - u) per volume [kg/(m3 s)]; empty: none
-  std::array<PlaceFormula, 3> drag_velocity;  // v [m/s]; empty: at rest
-  bool moving_void_fraction = false;          // whether it depends on time
-  std::vector<PatchValues> patches;           // as those of the region
-  double divergence_tolerance = 1e-8;         // error of volume in a step, over the volume of the cell
-  double viscous_tolerance = 1e-8;            // error of the viscous solve over its first correction
-  int correctors = 1;                         // passes of a step
-  bool bicgstab = false;                      // the thesis' solver of the pressure, for comparison
+  std::array<double, 3> gravity{};             // [m/s2]
+  std::array<PlaceFormula, 3> force;           // on the fluid, per volume [N/m3]; empty: none
+  PlaceFormula void_fraction;                  // empty: 1
+  bool model_b = false;                        // see solver.h
+  PlaceFormula drag;                           // K: the fluid feels K (v - u) per volume [kg/(m3 s)]; empty: none
+  std::array<PlaceFormula, 3> drag_velocity;   // v [m/s]; empty: at rest
+  bool moving_void_fraction = false;           // whether it depends on time
+  std::vector<PatchValues> patches;            // as those of the region
+  double divergence_tolerance = 1e-8;          // error of volume in a step, over the volume of the cell
+  double viscous_tolerance = 1e-8;             // error of the viscous solve over its first correction
+  int correctors = 1;                          // passes of a step
+  bool bicgstab = false;                       // the thesis' solver of the pressure, for comparison
+  std::vector<ScalarSettings> scalars;         // carried by the fluid
+  int temperature = -1;                        // which of them is the temperature; -1: none
+  std::function<double(double)> viscosity_of;  // as a function of the temperature; empty: constant
+  TurbulenceSettings turbulence;
+
+  /// Whether the viscosity is no constant.
+  bool viscosity_varies() const { return viscosity_of || turbulence.model != TurbulenceSettings::Model::none; }
+
+  /// Whether what the fluid carries makes it lighter or heavier.
+  bool buoyant() const {
+    bool acts = false;
+    for (const ScalarSettings& k : scalars) acts = acts || k.expansion != 0;
+    return acts && (gravity[0] != 0 || gravity[1] != 0 || gravity[2] != 0);
+  }
 };
 
 /// What is there of momentum (three components [N s]) and fluid volume [m3], and what does not follow from what
@@ -59,6 +103,16 @@ struct FluidBooks {
   }
 };
 
+/// How much there is of a quantity that the fluid carries, as FluidBooks.
+struct ScalarBooks {
+  double content = 0, change = 0, error = 0, turned = 0;
+};
+
+struct ScalarState {
+  Field value, value_old;
+  ScalarBooks books;
+};
+
 /// Fields at the time of the step, and those of the step before where the next one needs them. Arrays of `flux` belong
 /// to faces: the volume that passes the lower face of each cell along each axis, times the void fraction there [m3/s].
 struct FluidState {
@@ -68,9 +122,11 @@ struct FluidState {
   double pace = 0;     // the automatic time step before it was fitted to what is due; 0 before the first [s]
   VectorField velocity, velocity_old;  // [m/s]
   VectorField flux, flux_old;
-  Field pressure;                // [Pa]
-  Field correction;              // of the pressure in the last step, times dt / (a0 density)
-  Field fraction, fraction_old;  // of the volume that is fluid
+  Field pressure;                       // [Pa]
+  Field correction;                     // of the pressure in the last step, times dt / (a0 density)
+  Field fraction, fraction_old;         // of the volume that is fluid
+  std::vector<ScalarState> scalars;     // as in the settings
+  Field eddies_found, eddies_modelled;  // dynamic, along the paths of the fluid: the means of L:M and M:M [m4/s4]
   FluidBooks books;
 };
 
@@ -78,6 +134,7 @@ struct FluidState {
 struct StepReport {
   int pressure_iterations = 0;   // of all passes
   int viscous_iterations = 0;    // of all passes
+  int scalar_iterations = 0;     // of all passes and quantities
   double divergence = 0;         // largest error of volume of a cell, over its volume
   double pressure_residual = 0;  // of the last solve, true, over that of its start
   double viscous_residual = 0;   // largest, over the largest of its start

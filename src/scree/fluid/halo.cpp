@@ -30,7 +30,7 @@ void for_each_piece(const Mesh& m, const Slab& s, Copy&& copy) {
     for (int j = s.low[1]; j < s.high[1]; ++j) copy(m.index(s.low[0], j, k), s.high[0] - s.low[0]);
 }
 
-Bytes pack(const Mesh& m, const Slab& s, std::initializer_list<Field*> fields) {
+Bytes pack(const Mesh& m, const Slab& s, std::span<Field* const> fields) {
   Bytes out(static_cast<std::size_t>(s.cells()) * fields.size() * sizeof(double));
   std::byte* to = out.data();
   for (const Field* field : fields)
@@ -41,7 +41,7 @@ Bytes pack(const Mesh& m, const Slab& s, std::initializer_list<Field*> fields) {
   return out;
 }
 
-void unpack(const Mesh& m, const Slab& s, const Bytes& bytes, std::initializer_list<Field*> fields) {
+void unpack(const Mesh& m, const Slab& s, const Bytes& bytes, std::span<Field* const> fields) {
   const std::byte* from = bytes.data();
   for (Field* field : fields)
     for_each_piece(m, s, [&](std::int64_t at, int n) {
@@ -51,7 +51,7 @@ void unpack(const Mesh& m, const Slab& s, const Bytes& bytes, std::initializer_l
 }
 
 /// This rank alone has all cells along a periodic axis.
-void wrap(const Mesh& m, int a, int layers, std::initializer_list<Field*> fields) {
+void wrap(const Mesh& m, int a, int layers, std::span<Field* const> fields) {
   const int n = m.n[a];
   for (int layer = 1; layer <= layers; ++layer)
     for (const int to : {-layer, n - 1 + layer}) {
@@ -66,7 +66,7 @@ void wrap(const Mesh& m, int a, int layers, std::initializer_list<Field*> fields
     }
 }
 
-void swap_with_neighbours(const Mesh& m, const Ranks& ranks, int a, int layers, std::initializer_list<Field*> fields) {
+void swap_with_neighbours(const Mesh& m, const Ranks& ranks, int a, int layers, std::span<Field* const> fields) {
   const bool periodic = m.region->grid.periodic[a];
   const auto neighbour = [&](int way) {
     std::array<int, 3> place = m.place;
@@ -94,7 +94,7 @@ void swap_with_neighbours(const Mesh& m, const Ranks& ranks, int a, int layers, 
 
 }  // namespace
 
-void renew_ghosts(const Mesh& mesh, const Ranks& ranks, int layers, std::initializer_list<Field*> fields) {
+void renew_ghosts(const Mesh& mesh, const Ranks& ranks, int layers, std::span<Field* const> fields) {
   for (int a = 0; a < 3; ++a) {
     if (mesh.blocks[a] > 1)
       swap_with_neighbours(mesh, ranks, a, layers, fields);

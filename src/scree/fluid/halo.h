@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 
 #include "scree/fluid/mesh.h"
 
@@ -9,6 +10,10 @@ namespace scree {
 
 /// Renews `layers` (1 or 2) layers of ghosts of the fields, edges and corners included. Beyond the ends of an axis that
 /// is not periodic nothing is written.
-void renew_ghosts(const Mesh& mesh, const Ranks& ranks, int layers, std::initializer_list<Field*> fields);
+void renew_ghosts(const Mesh& mesh, const Ranks& ranks, int layers, std::span<Field* const> fields);
+
+inline void renew_ghosts(const Mesh& mesh, const Ranks& ranks, int layers, std::initializer_list<Field*> fields) {
+  renew_ghosts(mesh, ranks, layers, std::span(fields.begin(), fields.size()));
+}
 
 }  // namespace scree

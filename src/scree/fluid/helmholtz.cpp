@@ -39,15 +39,16 @@ double relax_row(const Mesh& m, const Helmholtz& h, int c, std::int64_t at, cons
 }
 
 template <Report R>
-double relax(const Mesh& m, const Helmholtz& h, const VectorField& b, const VectorField& x, VectorField& next,
-             double momentum, double gain) {
+double relax(const Mesh& m, const Helmholtz& h, std::span<const Field> b, std::span<const Field> x,
+             std::span<Field> next, double momentum, double gain) {
   double largest = 0;
   const int rows = m.n[1] * m.n[2];
 #pragma omp parallel for schedule(static) reduction(max : largest)
   for (int row = 0; row < rows; ++row) {
     const std::int64_t at = m.index(0, row % m.n[1], row / m.n[1]);
-    for (int c = 0; c < 3; ++c)
-      largest = std::max(largest, relax_row<R>(m, h, c, at, b[c].data(), x[c].data(), next[c].data(), momentum, gain));
+    for (std::size_t c = 0; c < b.size(); ++c)
+      largest = std::max(largest, relax_row<R>(m, h, static_cast<int>(c), at, b[c].data(), x[c].data(), next[c].data(),
+                                               momentum, gain));
   }
   return largest;
 }
@@ -60,8 +61,8 @@ int iterations_for(double share, double tolerance) {
 
 }  // namespace
 
-HelmholtzReport solve(const Mesh& mesh, const Ranks& ranks, const Helmholtz& equation, const VectorField& b,
-                      double tolerance, std::array<VectorField*, 2> x_and_spare) {
+HelmholtzReport solve(const Mesh& mesh, const Ranks& ranks, const Helmholtz& equation, std::span<const Field> b,
+                      double tolerance, std::array<std::span<Field>, 2> x_and_spare) {
   auto [x, spare] = x_and_spare;
   HelmholtzReport report;
   report.iterations = iterations_for(equation.share, tolerance);
@@ -72,16 +73,17 @@ HelmholtzReport solve(const Mesh& mesh, const Ranks& ranks, const Helmholtz& equ
     // Golub & Varga 1961: the weights of the three-term recurrence.
     weight = n == 0 ? 1 : 1 / (1 - (n == 1 ? 0.5 : 0.25 * weight) * radius * radius);
     if (n == 0 || n + 1 == report.iterations) {
-      last = relax<Report::change>(mesh, equation, b, *x, *spare, weight - 1, weight);
+      last = relax<Report::change>(mesh, equation, b, x, spare, weight - 1, weight);
       if (n == 0) first = last;
     } else {
-      relax<Report::nothing>(mesh, equation, b, *x, *spare, weight - 1, weight);
+      relax<Report::nothing>(mesh, equation, b, x, spare, weight - 1, weight);
     }
     std::swap(x, spare);
-    renew_ghosts(mesh, ranks, 1, {&(*x)[0], &(*x)[1], &(*x)[2]});
+    std::vector<Field*> found;
+    for (Field& field : x) found.push_back(&field);
+    renew_ghosts(mesh, ranks, 1, found);
   }
-  if (x != x_and_spare[0])
-    for (int c = 0; c < 3; ++c) std::swap((*x_and_spare[0])[c], (*x_and_spare[1])[c]);
+  if (report.iterations % 2 == 1) std::ranges::swap_ranges(x, spare);
   const double start = ranks.largest(first);
   report.residual = start > 0 ? ranks.largest(last) / start : 0;
   return report;

@@ -1,5 +1,7 @@
-// The implicit part of the momentum equation: mass, drag and viscosity.
+// The implicit part of the equations of momentum and of what is carried along: mass, drag and diffusion.
 #pragma once
+
+#include <span>
 
 #include "scree/fluid/mesh.h"
 
@@ -18,10 +20,10 @@ struct HelmholtzReport {
   double residual = 0;  // largest change of the last iteration over the largest of the first
 };
 
-/// Solves by Chebyshev's iteration with Jacobi's preconditioner: no sums over ranks, so that the result does not depend
-/// on them. `x` holds the start and then the result, with one layer of ghosts; `spare` is room for as much. The error
-/// falls by `tolerance`.
-HelmholtzReport solve(const Mesh& mesh, const Ranks& ranks, const Helmholtz& equation, const VectorField& b,
-                      double tolerance, std::array<VectorField*, 2> x_and_spare);
+/// Solves for all right-hand sides in `b` by Chebyshev's iteration with Jacobi's preconditioner: no sums over ranks, so
+/// that the result does not depend on them. `x` holds the start and then the result, with one layer of ghosts; `spare`
+/// is room for as much. The error falls by `tolerance`.
+HelmholtzReport solve(const Mesh& mesh, const Ranks& ranks, const Helmholtz& equation, std::span<const Field> b,
+                      double tolerance, std::array<std::span<Field>, 2> x_and_spare);
 
 }  // namespace scree

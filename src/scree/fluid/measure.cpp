@@ -25,8 +25,7 @@ double boundary_dissipation(const FluidSolver& s) {
   for (const BoundaryFace& f : s.boundary)
     for (int c = 0; c < 3; ++c)
       if (const double own = wall_friction(s, f, c).own; own > 0)
-        sum += s.felt()[f.cell] * s.settings.viscosity * f.area / f.half *
-               square(s.state.velocity[c][f.cell] - f.velocity[c]);
+        sum += s.felt()[f.cell] * f.viscosity * f.area / f.half * square(s.state.velocity[c][f.cell] - f.velocity[c]);
   return sum;
 }
 
@@ -88,7 +87,8 @@ std::vector<PatchLoad> patch_loads(const FluidSolver& s) {
   return out;
 }
 
-std::optional<std::array<double, 4>> probe(const FluidSolver& s, const std::array<double, 3>& place) {
+std::optional<std::vector<double>> sample(const FluidSolver& s, const std::array<double, 3>& place,
+                                          std::initializer_list<const Field*> fields) {
   const Mesh& m = s.mesh;
   const Grid& g = m.region->grid;
   std::array<int, 3> at{};
@@ -104,7 +104,7 @@ std::optional<std::array<double, 4>> probe(const FluidSolver& s, const std::arra
     const double above = i + 1 < n ? g.centre(a, i + 1) : g.faces[a][n] + 0.5 * g.width(a, 0);
     weight[a] = (place[a] - below) / (above - below);
   }
-  std::array<double, 5> sum{};
+  std::vector<double> sum(fields.size() + 1);
   if (mine) {
     double fluid = 0;
     for (int corner = 0; corner < 8; ++corner) {
@@ -114,15 +114,23 @@ std::optional<std::array<double, 4>> probe(const FluidSolver& s, const std::arra
       if (w == 0) continue;
       const std::int64_t c = m.index(at[0] + d[0], at[1] + d[1], at[2] + d[2]);
       fluid += w * m.fluid[c];
-      for (int a = 0; a < 3; ++a) sum[a] += w * s.state.velocity[a][c];
-      sum[3] += w * s.state.pressure[c];
+      auto to = sum.begin();
+      for (const Field* field : fields) *to++ += w * (*field)[c];
     }
     // Beside a body some corners are no fluid.
-    sum[4] = std::abs(fluid - 1) < 1e-9 ? 1 : 0;
+    sum.back() = std::abs(fluid - 1) < 1e-9 ? 1 : 0;
   }
   for (double& x : sum) x = s.ranks.sum(x);
-  if (sum[4] == 0) return {};
-  return std::array<double, 4>{sum[0], sum[1], sum[2], sum[3]};
+  if (sum.back() == 0) return {};
+  sum.pop_back();
+  return sum;
+}
+
+std::optional<std::array<double, 4>> probe(const FluidSolver& s, const std::array<double, 3>& place) {
+  const VectorField& u = s.state.velocity;
+  const auto found = sample(s, place, {&u[0], &u[1], &u[2], &s.state.pressure});
+  if (!found) return {};
+  return std::array<double, 4>{(*found)[0], (*found)[1], (*found)[2], (*found)[3]};
 }
 
 FluidError error_against(const FluidSolver& s, const std::array<PlaceFormula, 3>& velocity,

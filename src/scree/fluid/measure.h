@@ -1,6 +1,7 @@
 // What is measured of the fluid. Every function is to be called by all ranks and gives the same on all of them.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,10 @@ struct PatchLoad {
 
 /// One for each patch of the region, and a last one for all that no patch covers.
 std::vector<PatchLoad> patch_loads(const FluidSolver& s);
+
+/// Fields at a place, linear between the middles of cells; empty where there is no fluid.
+std::optional<std::vector<double>> sample(const FluidSolver& s, const std::array<double, 3>& place,
+                                          std::initializer_list<const Field*> fields);
 
 /// Velocity and pressure at a place, linear between the middles of cells; empty where there is no fluid.
 std::optional<std::array<double, 4>> probe(const FluidSolver& s, const std::array<double, 3>& place);

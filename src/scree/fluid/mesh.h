@@ -42,6 +42,7 @@ struct BoundaryFace {
   std::array<double, 3> velocity{};  // [m/s]
   double pressure = 0;               // of outlets, and beyond plates [Pa]
   double resistance = 0;             // of plates, at the speed of the step [Pa s/m]
+  double viscosity = 0;              // of the fluid at the face [Pa s]
 };
 
 struct Mesh {

@@ -21,7 +21,6 @@ double inertia(const FluidSolver& s, const Bdf& bdf, std::int64_t c, double volu
 
 void find_face_friction(FluidSolver& s) {
   const Mesh& m = s.mesh;
-  const Field& e = s.felt();
   // Viscosity times area over distance.
   for (int a = 0; a < 3; ++a) {
     Field& face = s.work.viscous.face[a];
@@ -33,9 +32,8 @@ void find_face_friction(FluidSolver& s) {
           const std::int64_t c = m.index(i, j, k);
           const int at[3] = {i, j, k};
           const int g = Mesh::ghosts + at[a];
-          const double below = m.axis[a].lower_share[g];
-          const double fraction = below * e[c - st] + (1 - below) * e[c];
-          face[c] = m.open[a][c] * fraction * s.settings.viscosity * m.area(a, i, j, k) * m.axis[a].per_distance[g];
+          const double strength = face_viscosity(s, c, c - st, m.axis[a].lower_share[g]);
+          face[c] = m.open[a][c] * strength * m.area(a, i, j, k) * m.axis[a].per_distance[g];
         }
   }
 }
@@ -44,9 +42,10 @@ void prepare_viscous(FluidSolver& s, const Bdf& bdf) {
   FluidWork& w = s.work;
   const Mesh& m = s.mesh;
   const double effective = bdf.dt / bdf.a0;
-  if (s.plain() && w.viscous_dt == effective) return;
+  const bool varies = !s.plain() || s.settings.viscosity_varies();
+  if (!varies && w.viscous_dt == effective) return;
   w.viscous_dt = effective;
-  if (!s.plain()) find_face_friction(s);
+  if (varies) find_face_friction(s);
   Helmholtz& h = w.viscous;
   h.shared = !m.slips;
   const int components = h.shared ? 1 : 3;
@@ -175,7 +174,7 @@ void find_rhs(FluidSolver& s, const Bdf& bdf) {
       for (int i = 0; i < m.n[0]; ++i) out[i] *= density;
     });
   add_boundary_friction(s);
-  if (!plain && s.settings.viscosity > 0) add_transposed_stress(s);
+  if (s.settings.viscosity_varies() || (!plain && s.settings.viscosity > 0)) add_transposed_stress(s);
 }
 
 HelmholtzReport solve_momentum(FluidSolver& s) {
@@ -193,7 +192,7 @@ HelmholtzReport solve_momentum(FluidSolver& s) {
       for (int i = 0; i < m.n[0]; ++i) out[i] += across * width[i] * e[at + i] * force[i];
     }
   });
-  return solve(m, s.ranks, w.viscous, w.rhs, s.settings.viscous_tolerance, {&s.state.velocity, &w.spare});
+  return solve(m, s.ranks, w.viscous, w.rhs, s.settings.viscous_tolerance, {s.state.velocity, w.spare});
 }
 
 }  // namespace scree

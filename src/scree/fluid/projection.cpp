@@ -122,7 +122,7 @@ void for_each_face_row(const Mesh& m, int a, Visit&& visit) {
 /// How often in a second the flow and friction pass a cell.
 void find_rate(FluidSolver& s) {
   const Mesh& m = s.mesh;
-  const double spread = 2 * s.settings.viscosity / s.settings.density;
+  const double per_density = 2 / s.settings.density, spread = per_density * s.settings.viscosity;
   const VectorField& q = s.state.flux_old;
   for_each_row(m, [&](int j, int k) {
     const std::int64_t at = m.index(0, j, k), sy = m.stride[1], sz = m.stride[2];
@@ -134,6 +134,11 @@ void find_rate(FluidSolver& s) {
       const double passed = (std::abs(q[0][c]) + std::abs(q[0][c + 1])) + (std::abs(q[1][c]) + std::abs(q[1][c + sy])) +
                             (std::abs(q[2][c]) + std::abs(q[2][c + sz]));
       s.work.rate[c] = fading * (0.5 * passed * x[i] * y * z + spread * (x[i] * x[i] + y * y + z * z));
+    }
+    if (s.work.viscosity.empty()) return;
+    for (int i = 0; i < m.n[0]; ++i) {
+      const double more = per_density * (s.work.viscosity[at + i] - s.settings.viscosity);
+      s.work.rate[at + i] += fading * more * (x[i] * x[i] + y * y + z * z);
     }
   });
   renew_ghosts(m, s.ranks, 1, {&s.work.rate});
@@ -322,6 +327,18 @@ void find_divergence(FluidSolver& s, const Bdf& bdf) {
                    bdf.a2 * s.work.fraction_older[at + i]) *
                   m.fluid[at + i];
   });
+}
+
+void add_forces(FluidSolver& s, const Bdf& bdf) {
+  const double pace = scree::pace(s, bdf);
+  for (int a = 0; a < 3; ++a)
+    for_each_row(s.mesh, [&](int j, int k) {
+      const std::int64_t at = s.mesh.index(0, j, k);
+      for (std::int64_t c = at; c < at + s.mesh.n[0]; ++c) {
+        const double driven = pace * answer(s, pace, c) * s.work.mean_force[a][c];
+        s.state.velocity[a][c] = s.mesh.fluid[c] * (s.state.velocity[a][c] / burden(s, pace, c) + driven);
+      }
+    });
 }
 
 void predict_flux(FluidSolver& s, const Bdf& bdf) {

@@ -21,6 +21,9 @@ void find_divergence(FluidSolver& s, const Bdf& bdf);
 /// where nothing gives the pressure.
 double yielding(const FluidSolver& s, const Bdf& bdf, const BoundaryFace& f);
 
+/// Adds to the velocity what the forces of the faces do in the step, and drag, without friction.
+void add_forces(FluidSolver& s, const Bdf& bdf);
+
 /// Fluxes from the velocity before the projection.
 void predict_flux(FluidSolver& s, const Bdf& bdf);
 

@@ -26,6 +26,24 @@ struct Bdf {
 
 Bdf bdf_of(double dt, double last_dt);
 
+/// What is given at a face of the boundary to a quantity that the fluid carries.
+struct ScalarFace {
+  bool given = false;       // whether the value is
+  double value = 0;         // at the face
+  double flux = 0;          // into the fluid, per area
+  double conductivity = 0;  // at the face
+};
+
+/// What a step needs and forgets of a quantity that the fluid carries.
+struct ScalarWork {
+  Field older, rhs, spare;
+  Field conductivity;  // of the cells; empty where it is a constant
+  Helmholtz equation;
+  double prepared_dt = 0;            // that it was made for
+  std::vector<ScalarFace> boundary;  // as that of the solver
+  double entered = 0;                // to this rank's cells in the step, per second
+};
+
 /// Fields that a step needs and forgets.
 struct FluidWork {
   VectorField velocity_older, flux_older;
@@ -46,6 +64,9 @@ struct FluidWork {
   VectorField share;       // of the flux that drag leaves; empty without drag
   VectorField drag_shift, drag_shift_now;  // see momentum.h: with the estimated and with the corrected fluxes
   Helmholtz viscous;
+  Field viscosity;  // of the cells, with that of eddies [Pa s]; empty where it is a constant
+  Field eddies;     // their part of it [Pa s]; empty without a model of turbulence
+  std::vector<ScalarWork> scalars;
   std::array<double, 3> force{};  // of this rank's boundary in the step, and of what flows through it [N]
   double viscous_dt = 0;          // that `viscous` was made for
   bool pressure_set = false;
@@ -62,6 +83,9 @@ struct FluidSolver {
 
   /// The part of the pressure's gradient and of friction that acts on the fluid itself, for each cell.
   const Field& felt() const { return settings.model_b ? work.whole : state.fraction; }
+
+  /// Of a cell [Pa s].
+  double viscosity_of(std::int64_t c) const { return work.viscosity.empty() ? settings.viscosity : work.viscosity[c]; }
 
   const FluidRegion region;
   const FluidSettings settings;

@@ -7,11 +7,15 @@
 #include "scree/base/error.h"
 #include "scree/fluid/books.h"
 #include "scree/fluid/boundary.h"
+#include "scree/fluid/buoyancy.h"
 #include "scree/fluid/energy.h"
+#include "scree/fluid/fields.h"
 #include "scree/fluid/halo.h"
 #include "scree/fluid/momentum.h"
 #include "scree/fluid/projection.h"
+#include "scree/fluid/scalar.h"
 #include "scree/fluid/solver.h"
+#include "scree/fluid/viscosity.h"
 
 namespace scree {
 namespace {
@@ -20,24 +24,7 @@ namespace {
 constexpr int first_passes = 4;
 
 void shift(VectorField& now, VectorField& old, VectorField& older, double ratio) {
-  std::swap(older, old);
-  std::swap(old, now);
-  for (int c = 0; c < 3; ++c) {
-    const std::int64_t size = static_cast<std::int64_t>(now[c].size());
-    const double *x = old[c].data(), *y = older[c].data();
-    double* out = now[c].data();
-#pragma omp parallel for simd schedule(static)
-    for (std::int64_t i = 0; i < size; ++i) out[i] = (1 + ratio) * x[i] - ratio * y[i];
-  }
-}
-
-/// Calls set(place in the arrays, place in space) for every cell of fluid.
-template <class Set>
-void for_each_cell(const Mesh& m, Set&& set) {
-  for (int k = 0; k < m.n[2]; ++k)
-    for (int j = 0; j < m.n[1]; ++j)
-      for (int i = 0; i < m.n[0]; ++i)
-        if (m.fluid[m.index(i, j, k)] > 0) set(m.index(i, j, k), m.centre(i, j, k));
+  for (int c = 0; c < 3; ++c) shift(now[c], old[c], older[c], ratio);
 }
 
 void evaluate_fraction(FluidSolver& s, double time) {
@@ -95,12 +82,22 @@ void evaluate_forces(FluidSolver& s, double time) {
   for (const BoundaryFace& f : s.boundary)
     s.work.face_force[f.axis][f.face] =
         face_force(s, f.axis, f.place, time, drag_of(f.cell) / felt[f.cell], 1 / e[f.cell]);
+  if (s.settings.buoyant()) add_buoyancy(s);
 }
 
 bool has_forces(const FluidSettings& k) {
   for (int a = 0; a < 3; ++a)
     if (k.force[a] || k.gravity[a] != 0 || (k.drag && k.drag_velocity[a])) return true;
   return false;
+}
+
+/// The pressure that carries the forces at the start: without it a fluid at rest would begin by falling on its walls.
+void find_first_pressure(FluidSolver& s, const Bdf& bdf, StepReport& report) {
+  find_mean_force(s);
+  add_forces(s, bdf);
+  predict_flux(s, bdf);
+  project(s, bdf, false, report);
+  s.state.velocity = s.state.velocity_old;
 }
 
 void expect_finite(const FluidSolver& s) {
@@ -158,6 +155,8 @@ FluidSolver::FluidSolver(const FluidRegion& r, FluidSettings k, const Ranks& pro
   }
   if (has_forces(settings)) work.face_force = mesh.make_vector();
   if (!plain()) work.passage = mesh.make_vector();
+  make_viscosity(*this);
+  make_scalars(*this);
   pressure = make_pressure_solver(mesh, settings.bicgstab ? PressureMethod::bicgstab : PressureMethod::multigrid);
 }
 
@@ -185,12 +184,15 @@ void set_velocity(FluidSolver& s, const std::array<PlaceFormula, 3>& velocity) {
   refresh(s);
   open_books(s);
   open_energy(s);
+  open_scalar_books(s);
 }
 
 void refresh(FluidSolver& s) {
   evaluate_drag(s, s.state.time);
-  evaluate_forces(s, s.state.time);
   set_boundary(s, s.state.time);
+  set_scalar_boundary(s, s.state.time);
+  evaluate_forces(s, s.state.time);
+  find_viscosity(s, 0);
   find_face_friction(s);
 }
 
@@ -202,19 +204,25 @@ StepReport advance(FluidSolver& s, double dt) {
   StepReport report;
   shift(st.velocity, st.velocity_old, w.velocity_older, bdf.ratio);
   shift(st.flux, st.flux_old, w.flux_older, bdf.ratio);
+  begin_scalars(s, bdf);
   if (s.settings.void_fraction) {
     std::swap(w.fraction_older, st.fraction_old);
     std::swap(st.fraction_old, st.fraction);
     evaluate_fraction(s, time);
   }
   evaluate_drag(s, time);
-  evaluate_forces(s, time);
   set_boundary(s, time);
+  set_scalar_boundary(s, time);
+  evaluate_forces(s, time);
+  find_viscosity(s, dt);
   prepare_viscous(s, bdf);
   prepare_projection(s, bdf);
+  prepare_scalars(s, bdf);
   find_memory(s, bdf);
+  if (st.last_dt == 0) find_first_pressure(s, bdf, report);
   const int passes = st.last_dt == 0 ? std::max(first_passes, s.settings.correctors) : s.settings.correctors;
   for (int pass = 0; pass < passes; ++pass) {
+    if (pass > 0 && s.settings.buoyant()) evaluate_forces(s, time);
     find_mean_force(s);
     if (!s.plain()) find_divergence(s, bdf);
     find_rhs(s, bdf);
@@ -226,12 +234,14 @@ StepReport advance(FluidSolver& s, double dt) {
     predict_flux(s, bdf);
     project(s, bdf, pass > 0, report);
     enter_correction(s, bdf);
+    solve_scalars(s, bdf, report);
   }
   st.time = time;
   st.last_dt = dt;
   ++st.step;
   expect_finite(s);
   close_books(s, bdf);
+  close_scalar_books(s, bdf);
   book_energy(s, dt);
   return report;
 }

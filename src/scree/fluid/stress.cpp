@@ -1,5 +1,7 @@
 #include "scree/fluid/stress.h"
 
+#include "scree/fluid/momentum.h"
+
 namespace scree {
 namespace {
 
@@ -35,8 +37,7 @@ std::array<double, 3> face_stress(const FluidSolver& s, int a, const std::array<
   };
   double divergence = 0;
   for (int b = 0; b < 3; ++b) divergence += on_face(b, b);
-  const double strength =
-      s.settings.viscosity * m.area(a, at[0], at[1], at[2]) * (lower * s.felt()[below] + (1 - lower) * s.felt()[c]);
+  const double strength = m.area(a, at[0], at[1], at[2]) * face_viscosity(s, c, below, lower);
   std::array<double, 3> out{};
   for (int b = 0; b < 3; ++b) out[b] = strength * (on_face(a, b) - (a == b ? 2.0 / 3.0 * divergence : 0.0));
   return out;

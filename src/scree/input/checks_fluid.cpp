@@ -94,6 +94,7 @@ void check_fluid(const Check& check) {
     if (!(c.domain.max[a] > c.domain.min[a])) return;
   const std::size_t before = check.problems.size();
   check_formulas(check);
+  check_carried(check);
   const FluidRegion region = make_fluid_region(
       c, [&](const char* code, const std::string& path, const std::string& message, const std::string& note,
              const std::string& help) { check.fail(code, path, message, note, help); });

@@ -33,6 +33,46 @@ struct FluidPatchKeys {
   std::string pressure = "0";                          // outlet; of permeable: beyond it [Pa]
   double resistance = 0;                               // permeable [Pa s/m]
   double quadratic_resistance = 0;                     // permeable [Pa s2/m2]
+  std::string temperature;                             // wall, slip, inlet, outlet; empty: not given
+  std::string heat_flux;                               // wall, slip: into the fluid [W/m2]; empty: none
+};
+
+/// What a patch does to something that is dissolved.
+struct FluidScalarPatchKeys {
+  std::string patch;
+  std::string value, flux;  // empty: not given
+};
+
+/// Something that is dissolved in the fluid.
+struct FluidScalarKeys {
+  std::string name;
+  double diffusivity = 0;    // [m2/s]
+  std::string value = "0";   // at the start
+  std::string source = "0";  // per volume and time
+  double expansion = 0, reference = 0;
+  std::string convection = "van_leer";
+  std::vector<FluidScalarPatchKeys> patches;
+};
+
+/// The temperature of the fluid.
+struct FluidHeatKeys {
+  std::string type = "none";         // none, solved
+  double heat_capacity = 0;          // [J/(kg K)]
+  std::string conductivity;          // of T [W/(m K)]
+  std::string viscosity;             // of T [Pa s]; empty: that of the fluid
+  double expansion = 0;              // [1/K]
+  double reference_temperature = 0;  // at which the density is that of the fluid
+  std::string temperature;           // at the start
+  std::string source = "0";          // [W/m3]
+  std::string convection = "van_leer";
+};
+
+/// Eddies smaller than the cells.
+struct FluidTurbulenceKeys {
+  std::string model = "none";     // none, smagorinsky, dynamic
+  double constant = 0.17;         // smagorinsky
+  std::string average = "paths";  // dynamic: paths, cells, or axes
+  double prandtl = 0.9, schmidt = 0.9;
 };
 
 /// Places at which velocity and pressure are written.
@@ -60,6 +100,7 @@ struct FluidReferenceKeys {
   std::string type = "none";  // none, formulas
   std::array<std::string, 3> velocity{"0", "0", "0"};
   std::string pressure = "0";
+  std::string temperature;  // empty: not compared
 };
 
 struct FluidKeys {
@@ -70,6 +111,9 @@ struct FluidKeys {
   std::vector<FluidSegmentKeys> x, y, z;
   std::vector<FluidBoxKeys> blocks, obstacles;
   std::vector<FluidPatchKeys> patches;
+  FluidHeatKeys heat;
+  std::vector<FluidScalarKeys> scalars;
+  FluidTurbulenceKeys turbulence;
   std::array<std::string, 3> velocity{"0", "0", "0"};  // at the start [m/s]
   std::array<std::string, 3> force{"0", "0", "0"};     // [N/m3]
   std::string void_fraction = "1";

@@ -106,7 +106,19 @@ const Section& patches_section() {
        key("quadratic_resistance", &S::quadratic_resistance, "of the plate: how much the square of that speed takes")
            .unit("Pa s2/m2")
            .at_least(0)
-           .only_with("type", {"permeable"})},
+           .only_with("type", {"permeable"}),
+       key("temperature", &S::temperature,
+           "with [fluid.heat]: of the wall, of what comes in through the inlet, or of what comes back through the "
+           "outlet: a formula of x, y, z and t")
+           .is_a(TextKind::formula)
+           .unit("K")
+           .defaults_to("no heat through walls; what comes back through outlets is as warm as the fluid there")
+           .only_with("type", {"wall", "slip", "inlet", "outlet", "permeable"}),
+       key("heat_flux", &S::heat_flux, "with [fluid.heat]: that a wall gives to the fluid: a formula of x, y, z and t")
+           .is_a(TextKind::formula)
+           .unit("W/m2")
+           .defaults_to("none")
+           .only_with("type", {"wall", "slip"})},
       [] { return std::make_shared<S>(); }};
   return section;
 }
@@ -162,9 +174,11 @@ const Section& reference_section() {
       "the series. The mean of the pressure does not count where no outlet gives it.",
       {key("type", &S::type, "formulas: of x, y, z and t").one_of({"none", "formulas"}),
        key("velocity", &S::velocity, "the velocity").unit("m/s").required().only_with("type", {"formulas"}),
-       key("pressure", &S::pressure, "the pressure")
+       key("pressure", &S::pressure, "the pressure").is_a(TextKind::formula).unit("Pa").only_with("type", {"formulas"}),
+       key("temperature", &S::temperature, "the temperature: columns error_temperature, error_temperature_rms")
            .is_a(TextKind::formula)
-           .unit("Pa")
+           .unit("K")
+           .defaults_to("not compared")
            .only_with("type", {"formulas"})},
       [] { return std::make_shared<S>(); },
       true};
@@ -195,7 +209,12 @@ std::vector<Key> grid_keys() {
               .only_with("type", solved),
           tables<S, FluidPatchKeys>(
               "patches", [](S & s) -> auto& { return s.patches; }, patches_section())
-              .only_with("type", solved)};
+              .only_with("type", solved),
+          table("heat", &S::heat, fluid_heat_section()).only_with("type", solved),
+          tables<S, FluidScalarKeys>(
+              "scalars", [](S & s) -> auto& { return s.scalars; }, fluid_scalars_section())
+              .only_with("type", solved),
+          table("turbulence", &S::turbulence, fluid_turbulence_section()).only_with("type", solved)};
 }
 
 std::vector<Key> flow_keys() {

@@ -70,6 +70,7 @@ void complete_fluid(Case& c, const Origins& origins) {
   name(f.patches, "fluid.patches", "patch");
   name(f.probes, "fluid.probes", "probe");
   name(f.lines, "fluid.lines", "line");
+  name(f.scalars, "fluid.scalars", "scalar");
   for (std::size_t i = 0; i < f.patches.size(); ++i) {
     const std::string path = item_path("fluid.patches", i);
     if (!origins.given(path + ".min")) f.patches[i].min = c.domain.min;

@@ -1,0 +1,30 @@
+// What is done with whole fields.
+#pragma once
+
+#include <utility>
+
+#include "scree/fluid/mesh.h"
+
+namespace scree {
+
+/// Calls visit(place in the arrays, place in space) for every cell of fluid of this rank.
+template <class Visit>
+void for_each_cell(const Mesh& m, Visit&& visit) {
+  for (int k = 0; k < m.n[2]; ++k)
+    for (int j = 0; j < m.n[1]; ++j)
+      for (int i = 0; i < m.n[0]; ++i)
+        if (m.fluid[m.index(i, j, k)] > 0) visit(m.index(i, j, k), m.centre(i, j, k));
+}
+
+/// The present becomes the old one, the old one the older one, and the estimate of the next one takes its place.
+inline void shift(Field& now, Field& old, Field& older, double ratio) {
+  std::swap(older, old);
+  std::swap(old, now);
+  const std::int64_t size = static_cast<std::int64_t>(now.size());
+  const double *x = old.data(), *y = older.data();
+  double* out = now.data();
+#pragma omp parallel for simd schedule(static)
+  for (std::int64_t i = 0; i < size; ++i) out[i] = (1 + ratio) * x[i] - ratio * y[i];
+}
+
+}  // namespace scree
