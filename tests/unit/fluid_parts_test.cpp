@@ -106,7 +106,8 @@ TEST(Helmholtz, ChebyshevMeetsItsBound) {
 
 /// Solves with random conductances and a known answer; returns the largest error and the iterations.
 std::pair<double, int> solved_pressure(const FluidRegion& region, PressureMethod method, bool outlet) {
-  const Mesh m = make_mesh(region, Ranks());
+  Mesh m = make_mesh(region, Ranks());
+  m.outlets = outlet;
   std::mt19937 draw(5);
   std::uniform_real_distribution<double> some(0.4, 1);
   VectorField face = m.make_vector();
@@ -159,6 +160,15 @@ TEST(Pressure, MultigridNeedsFewIterationsOnAnyGrid) {
   }
   EXPECT_LE(most, 22);  // to 1e-11, some 12 decades
   EXPECT_LE(most - fewest, 8);
+}
+
+TEST(Pressure, MultigridNeedsFewIterationsInAClosedBoxOfAnySize) {
+  for (const std::array<int, 3>& cells : {std::array{24, 24, 24}, std::array{48, 6, 10}, std::array{25, 12, 1}}) {
+    const auto [error, iterations] =
+        solved_pressure(box_region({1, 1, 1}, cells, {false, false, false}), PressureMethod::multigrid, false);
+    EXPECT_LE(iterations, 25) << cells[0];
+    EXPECT_LT(error, 1e-9) << cells[0];
+  }
 }
 
 }  // namespace

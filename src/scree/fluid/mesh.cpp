@@ -85,6 +85,14 @@ void find_boundary(Mesh& m) {
       }
 }
 
+/// Whether a place in the arrays is no ghost.
+bool own(const Mesh& m, std::int64_t c) {
+  const std::array<std::int64_t, 3> at = {c % m.stride[1], c % m.stride[2] / m.stride[1], c / m.stride[2]};
+  for (int a = 0; a < 3; ++a)
+    if (at[a] < Mesh::ghosts || at[a] >= m.n[a] + Mesh::ghosts) return false;
+  return true;
+}
+
 void count(Mesh& m, const Ranks& ranks) {
   std::int64_t cells = 0;
   bool outlets = false, slips = false, plates = false;
@@ -96,6 +104,10 @@ void count(Mesh& m, const Ranks& ranks) {
     outlets |= f.kind == PatchKind::outlet || f.kind == PatchKind::permeable;
     slips |= f.kind == PatchKind::slip || f.kind == PatchKind::permeable;
   }
+  constexpr double none = 1e9;
+  const double first = -ranks.largest(cells > 0 ? -double(ranks.rank()) : -none);
+  if (first == ranks.rank())
+    for (m.anchor = 0; m.fluid[m.anchor] == 0 || !own(m, m.anchor);) ++m.anchor;
   m.cells = ranks.total(cells);
   m.plates = ranks.total(plates) > 0;
   m.outlets = ranks.total(outlets) > 0;

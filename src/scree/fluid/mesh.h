@@ -59,11 +59,12 @@ struct Mesh {
   VectorField open;  // 1 for faces between two cells of fluid, else 0
   Field fluid;       // 1 for cells of fluid, else 0; ghosts included
   std::vector<BoundaryFace> boundary;
-  bool slips = false;      // whether some face holds the fluid along some axes only
-  bool plates = false;     // whether some face is permeable, on any rank
-  bool outlets = false;    // whether the pressure is given somewhere, on any rank
-  std::int64_t cells = 0;  // of fluid, on all ranks
-  double volume = 0;       // of the fluid, on all ranks [m3]
+  bool slips = false;        // whether some face holds the fluid along some axes only
+  bool plates = false;       // whether some face is permeable, on any rank
+  bool outlets = false;      // whether the pressure is given somewhere, on any rank
+  std::int64_t anchor = -1;  // place in the arrays of one cell of fluid, on one rank; -1 on the others
+  std::int64_t cells = 0;    // of fluid, on all ranks
+  double volume = 0;         // of the fluid, on all ranks [m3]
 
   std::int64_t index(int i, int j, int k) const {
     return (i + ghosts) + (j + ghosts) * stride[1] + (k + ghosts) * stride[2];

@@ -13,7 +13,7 @@ struct PressureSolution {
 };
 
 /// Solves sum over the faces of a cell of c (x_cell - x_neighbour) + outlets x_cell = b. Rows of cells that are no
-/// fluid say x = 0.
+/// fluid say x = 0. Where the mesh has no outlets x is found but for a constant; b must then sum to nothing.
 class PressureSolver {
  public:
   virtual ~PressureSolver() = default;
