@@ -1,6 +1,8 @@
 // The second half of a pass: every particle gathers its slots in the order of its partners, adds its walls, and moves.
 #pragma once
 
+#include "scree/kernels/books.h"
+#include "scree/kernels/wrap.h"
 #include "scree/particles/sweep_tile.h"
 #include "scree/particles/sweep_walls.h"
 
@@ -30,11 +32,6 @@ namespace {
   for (std::int32_t p = begin; p < end; p += 2) __builtin_prefetch(v.loss + 4 * std::int64_t{p}, 0, 2);
 }
 
-/// Angular impulse of uniform gravity on a free particle.
-[[gnu::always_inline]] inline sc_vec weight_turn(const SweepView& v, const sc_centre& before) {
-  return sc_cross(before.position, sc_scale(v.move.kick / before.inverse_mass, v.move.gravity));
-}
-
 /// Force [N], and torque about the centre [N m].
 struct Push {
   sc_vec force, torque;
@@ -52,18 +49,13 @@ inline void book(const SweepView& v, std::int64_t p, const sc_centre& before, co
   work[0] += moved.drag_work;
   work[1] += moved.body_work;
   work[2] += prescribed_work;
-  const bool free_body = before.inverse_mass > 0;
-  const double sign = free_body ? v.move.kick : -v.move.kick;
-  const sc_vec fields = sc_add(moved.drag_impulse, moved.body_impulse);
-  const sc_vec outside = sc_add_scaled(fields, sign, push.force);
-  sc_vec turned = sc_add_scaled(sc_cross(before.position, outside), sign, push.torque);
-  if (v.book_gravity && free_body) turned = sc_add(turned, weight_turn(v, before));
-  impulse[0] += outside.x;
-  impulse[1] += outside.y;
-  impulse[2] += outside.z;
-  angular[0] += turned.x;
-  angular[1] += turned.y;
-  angular[2] += turned.z;
+  const sc_booked b = sc_book(v.move, before, push.force, push.torque, moved, v.book_gravity);
+  impulse[0] += b.impulse.x;
+  impulse[1] += b.impulse.y;
+  impulse[2] += b.impulse.z;
+  angular[0] += b.angular.x;
+  angular[1] += b.angular.y;
+  angular[2] += b.angular.z;
 }
 
 [[gnu::always_inline]] inline sc_sphere_load load_of(const Gathered& g) {
@@ -74,25 +66,14 @@ inline void book(const SweepView& v, std::int64_t p, const sc_centre& before, co
   return l;
 }
 
-/// Puts a coordinate back into the box; true if it has left along an axis that is not periodic.
+/// Puts a particle back into the box; true if it has left along an axis that is not periodic.
 [[gnu::noinline]] bool wrap(const SweepView& v, std::int64_t p, double* x) {
   bool outside = false;
   for (int k = 0; k < 3; ++k) {
-    if (x[k] >= v.low[k] && x[k] < v.high[k]) continue;
-    if (v.period[k] == 0) {
-      outside = true;
-    } else if (x[k] < v.low[k]) {
-      x[k] += v.period[k];
-      --v.image[4 * p + k];
-      // A tiny step below the edge rounds to the far edge, which is the near one of the next period.
-      if (x[k] >= v.high[k]) {
-        x[k] = v.low[k];
-        ++v.image[4 * p + k];
-      }
-    } else {
-      x[k] -= v.period[k];
-      ++v.image[4 * p + k];
-    }
+    const sc_wrapped w = sc_wrap(x[k], v.low[k], v.high[k], v.period[k], v.image[4 * p + k]);
+    x[k] = w.x;
+    v.image[4 * p + k] = w.image;
+    outside |= w.outside != 0;
   }
   return outside;
 }
@@ -145,7 +126,7 @@ template <class Laws>
                                                            const sc_sphere_motion& s, const Gathered& g) {
   if (v.book_gravity) {
     double* angular = v.angular_impulse + 4 * p;
-    const sc_vec turned = weight_turn(v, sc_centre_of_sphere(s));
+    const sc_vec turned = sc_weight_turn(v.move, sc_centre_of_sphere(s));
     store4(angular, load4(angular) + lane4{turned.x, turned.y, turned.z, 0});
   }
   sc_move m = v.move;

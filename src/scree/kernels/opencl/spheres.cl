@@ -4,7 +4,9 @@
 //
 // The state is read from one set of buffers and written to another, so that nobody sees a partner that has moved. When lists
 // no longer hold, the steps that were given ahead do nothing; the host makes lists and gives them again.
+#include "scree/kernels/books.h"
 #include "scree/kernels/opencl/parameters.h"
+#include "scree/kernels/wrap.h"
 #include "scree/physics/contact/law.h"
 #include "scree/physics/flow/shear.h"
 #include "scree/physics/flow/taylor_green.h"
@@ -127,58 +129,6 @@ SC_FN sc_vec sc_flow_at(sc_flow f, sc_vec x) {
   return sc_zero_vec();
 }
 
-typedef struct {
-  real x;
-  int image, outside;
-} sc_wrapped;
-
-/// Puts a coordinate back into the box.
-SC_FN sc_wrapped sc_wrap(real x, real low, real high, real period, int image) {
-  sc_wrapped w;
-  w.x = x;
-  w.image = image;
-  w.outside = 0;
-  if (x >= low && x < high) return w;
-  if (period == R(0)) {
-    w.outside = 1;
-  } else if (x < low) {
-    w.x = x + period;
-    --w.image;
-    // A tiny step below the edge rounds to the far edge, which is the near one of the next period.
-    if (w.x >= high) {
-      w.x = low;
-      ++w.image;
-    }
-  } else {
-    w.x = x - period;
-    ++w.image;
-  }
-  return w;
-}
-
-/// What fields, walls and infinite mass have to do with a particle.
-typedef struct {
-  sc_vec impulse, angular;  // [N s], [N m s]
-  real drag_work, body_work, prescribed_work;  // [J]
-} sc_booked;
-
-SC_FN sc_booked sc_book(sc_device_step p, sc_sphere_motion s, sc_gathered walls, sc_gathered all, sc_sphere_moved moved) {
-  sc_booked b;
-  const int free_body = s.inverse_mass > R(0);
-  const real sign = free_body ? p.move.kick : -p.move.kick;
-  const sc_sphere_load load = sc_load_of(free_body ? walls : all);
-  const sc_vec torque = sc_add_scaled(load.couple, s.radius, load.turn);
-  const sc_vec outside = sc_add_scaled(sc_add(moved.centre.drag_impulse, moved.centre.body_impulse), sign, load.force);
-  b.impulse = outside;
-  b.angular = sc_add_scaled(sc_cross(s.position, outside), sign, torque);
-  if (p.book_gravity && free_body)
-    b.angular = sc_add(b.angular, sc_cross(s.position, sc_scale(p.move.kick / s.inverse_mass, p.move.gravity)));
-  b.drag_work = moved.centre.drag_work;
-  b.body_work = moved.centre.body_work;
-  b.prescribed_work = moved.prescribed_work;
-  return b;
-}
-
 /// The contacts of particle i with others.
 SC_FN sc_gathered sc_meet_partners(sc_device_step p, size_t i, sc_row own, __global const real4* motion,
                                    __global const real4* spin, __global const real* excess, __global const int* material,
@@ -285,10 +235,12 @@ SC_FN void sc_store_books(sc_device_step p, size_t i, sc_sphere_motion s, sc_gat
   if (all.loss_normal != R(0) || all.loss_sliding != R(0) || all.loss_rolling != R(0))
     losses[i] += (real4)(all.loss_normal, all.loss_sliding, all.loss_rolling, R(0));
   if (!among_others && !p.book_gravity) return;
-  const sc_booked b = sc_book(p, s, walls, all, moved);
+  const sc_sphere_load load = sc_load_of(s.inverse_mass > R(0) ? walls : all);
+  const sc_vec torque = sc_add_scaled(load.couple, s.radius, load.turn);
+  const sc_booked b = sc_book(p.move, sc_centre_of_sphere(s), load.force, torque, moved.centre, p.book_gravity);
   angulars[i] += (real4)(b.angular.x, b.angular.y, b.angular.z, R(0));
   if (!among_others) return;
-  works[i] += (real4)(b.drag_work, b.body_work, b.prescribed_work, R(0));
+  works[i] += (real4)(moved.centre.drag_work, moved.centre.body_work, moved.prescribed_work, R(0));
   impulses[i] += (real4)(b.impulse.x, b.impulse.y, b.impulse.z, R(0));
 }
 
