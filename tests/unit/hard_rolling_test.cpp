@@ -67,6 +67,29 @@ TEST(HardRolling, ABallStopsAfterTheTimeAndWayOfTheConstantCouple) {
   EXPECT_LT(energy(s), 1e-25);
 }
 
+// The floor feels the weight, where the ball is, and the opposite of the couple that slows it down.
+TEST(HardRolling, TheTorqueOnTheFloorCountsTheCouples) {
+  const double weight = 1000 * 4.0 / 3.0 * M_PI * std::pow(radius, 3) * g;
+  const Case rolls = case_of(ball_text(rough, 0, rolling_on));
+  Simulation s(rolls, {1});
+  advance(s, 300);
+  const double x = motion(s)[lane::x], y = motion(s)[lane::y], couple = 0.05 * radius * weight;
+  EXPECT_GT(x, 0.1);
+  const WallLoad load = s.sample().wall_loads[0];
+  EXPECT_NEAR(load.force[2], -weight, 1e-9 * weight);
+  EXPECT_NEAR(load.torque[0], -y * weight - 0.8 * couple, 1e-9 * weight);
+  EXPECT_NEAR(load.torque[1], x * weight + 0.6 * couple, 1e-9 * weight);
+  EXPECT_NEAR(load.torque[2], 0, 1e-9 * weight);
+  // After a restart too, before the first step.
+  Simulation again(rolls, {1});
+  again.restore(s.save());
+  EXPECT_EQ(again.sample().wall_loads[0].torque, load.torque);
+  // The couple about the normal.
+  Simulation spins(case_of(ball_text(rough, 0, "angular_velocity = [0, 0, 7]\n")), {1});
+  advance(spins, 300);
+  EXPECT_NEAR(spins.sample().wall_loads[0].torque[2], 0.02 * radius * weight, 1e-9 * weight);
+}
+
 // One key switches, with everything else as it is; the spring of the soft law comes to its limit first.
 TEST(HardRolling, StopsWhereTheSoftBallStops) {
   const auto way = [](const char* collision, const char* step) {

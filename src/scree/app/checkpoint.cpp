@@ -74,6 +74,7 @@ Archive Simulation::save() {
   KeyedContacts walls = keyed_walls(system);
   out.put("wall_ids", std::move(walls.ids), 2);
   out.put("wall_memory", std::move(walls.memory), 9);
+  out.put("wall_couple", std::move(walls.couple), 3);
   if (p.shaped()) out.put("wall_shape", std::move(walls.shape), wall_scratch);
   exchange_.save(out);
   return out;
@@ -99,7 +100,9 @@ void Simulation::restore(const Archive& archive) {
   }
   const bool shaped = system_.particles.shaped();
   const auto saved_contacts = [&](const std::string& of, int width) {
+    const bool couples = archive.contains(of + "_couple");
     return SavedContacts(archive.get<std::int64_t>(of + "_ids", 2), archive.get<double>(of + "_memory", 9),
+                         couples ? archive.get<double>(of + "_couple", 3) : std::span<const double>(),
                          shaped ? archive.get<double>(of + "_shape", width) : std::span<const double>());
   };
   const RowsById rows = rows_of_held(system_.particles);

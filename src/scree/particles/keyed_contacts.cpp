@@ -35,6 +35,7 @@ void pick(KeyedContacts& contacts, const std::vector<std::size_t>& order) {
   const std::size_t count = contacts.ids.size() / 2;
   pick(contacts.ids, count, order);
   pick(contacts.memory, count, order);
+  pick(contacts.couple, count, order);
   pick(contacts.shape, count, order);
 }
 
@@ -80,6 +81,8 @@ KeyedContacts keyed_walls(const ParticleSystem& s, const std::function<bool(std:
       out.ids.push_back(s.particles.id[p]);
       out.ids.push_back(s.wall_contacts.wall[w]);
       append_memory(out.memory, s.wall_contacts, w, 1);
+      const double* couple = &s.wall_contacts.couple[3 * std::size_t(w)];
+      out.couple.insert(out.couple.end(), couple, couple + 3);
       if (s.wall_contacts.shape.empty()) continue;
       const double* shape = &s.wall_contacts.shape[wall_memory * std::size_t(w)];
       out.shape.insert(out.shape.end(), shape, shape + wall_scratch);
@@ -103,7 +106,8 @@ void keep_held(KeyedContacts& pairs, const RowsById& rows) {
 }
 
 PairContacts pairs_of(const SavedContacts& saved, const RowsById& row, bool rolling, bool shaped) {
-  const auto& [ids, memory, shape] = saved;
+  const auto& ids = saved.ids;
+  const auto &memory = saved.memory, &shape = saved.shape;
   const std::size_t count = ids.size() / 2;
   PairContacts out;
   out.remembers_rolling = rolling;
@@ -129,7 +133,7 @@ PairContacts pairs_of(const SavedContacts& saved, const RowsById& row, bool roll
 }
 
 WallContacts walls_of(const SavedContacts& saved, const RowsById& row, const Particles& p, std::size_t faces) {
-  const auto& [ids, memory, shape] = saved;
+  const auto& [ids, memory, couple, shape] = saved;
   std::vector<std::vector<std::size_t>> mine(p.size());
   for (std::size_t c = 0; c < ids.size() / 2; ++c) {
     const auto found = row.find(ids[2 * c]);
@@ -143,6 +147,7 @@ WallContacts walls_of(const SavedContacts& saved, const RowsById& row, const Par
   out.active.resize(ids.size() / 2);
   out.slide.resize(2 * ids.size());
   out.roll.resize(2 * ids.size());
+  out.couple.resize(3 * (ids.size() / 2));
   out.gap.resize(ids.size() / 2);
   if (!shape.empty()) out.shape.resize(wall_memory * (ids.size() / 2));
   std::int32_t next = 0;
@@ -152,6 +157,7 @@ WallContacts walls_of(const SavedContacts& saved, const RowsById& row, const Par
       out.active[next] = contact_code(true, memory[9 * c + 8] != 0);
       std::copy_n(&memory[9 * c], 4, &out.slide[4 * std::size_t(next)]);
       std::copy_n(&memory[9 * c + 4], 4, &out.roll[4 * std::size_t(next)]);
+      if (!couple.empty()) std::copy_n(&couple[3 * c], 3, &out.couple[3 * std::size_t(next)]);
       if (!shape.empty())
         std::copy_n(&shape[wall_scratch * c], wall_scratch, &out.shape[wall_memory * std::size_t(next)]);
       ++next;

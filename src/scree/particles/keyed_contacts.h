@@ -19,12 +19,13 @@ KeyedContacts keyed_walls(const ParticleSystem& system, const std::function<bool
 /// The same, where it lies.
 struct SavedContacts {
   std::span<const std::int64_t> ids;
-  std::span<const double> memory, shape;
+  std::span<const double> memory, couple, shape;  // no couples, as of pairs: none acts
 
   SavedContacts(std::span<const std::int64_t> all_ids, std::span<const double> all_memory,
-                std::span<const double> all_shapes)
-      : ids(all_ids), memory(all_memory), shape(all_shapes) {}
-  SavedContacts(const KeyedContacts& keyed) : ids(keyed.ids), memory(keyed.memory), shape(keyed.shape) {}
+                std::span<const double> all_couples, std::span<const double> all_shapes)
+      : ids(all_ids), memory(all_memory), couple(all_couples), shape(all_shapes) {}
+  SavedContacts(const KeyedContacts& keyed)
+      : ids(keyed.ids), memory(keyed.memory), couple(keyed.couple), shape(keyed.shape) {}
 };
 
 using RowsById = std::unordered_map<std::int64_t, std::int32_t>;

@@ -10,6 +10,7 @@ namespace scree {
 struct KeyedContacts {
   std::vector<std::int64_t> ids;  // [contacts][2]
   std::vector<double> memory;     // [contacts][9]: slide x y z, approach, roll x y z, twist, slid
+  std::vector<double> couple;     // [contacts][3], of walls
   std::vector<double> shape;      // [contacts][what of the memory of shapes lasts], or empty
 };
 

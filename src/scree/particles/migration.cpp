@@ -35,12 +35,14 @@ const std::byte* unpack_table(std::vector<T>& table, const std::byte* from) {
 void pack_contacts(const KeyedContacts& contacts, Bytes& to) {
   pack_table(contacts.ids, to);
   pack_table(contacts.memory, to);
+  pack_table(contacts.couple, to);
   pack_table(contacts.shape, to);
 }
 
 const std::byte* unpack_contacts(KeyedContacts& contacts, const std::byte* from) {
   from = unpack_table(contacts.ids, from);
   from = unpack_table(contacts.memory, from);
+  from = unpack_table(contacts.couple, from);
   return unpack_table(contacts.shape, from);
 }
 

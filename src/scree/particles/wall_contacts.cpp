@@ -56,6 +56,7 @@ WallContacts find_wall_contacts(const Particles& particles, const Walls& walls, 
   out.active.resize(count);
   out.slide.resize(4 * count);
   out.roll.resize(4 * count);
+  out.couple.resize(3 * count);
   out.gap.resize(count);
   if (particles.shaped()) out.shape.resize(wall_memory * count);
   std::int32_t* next = out.wall.begin();
@@ -79,6 +80,7 @@ void carry_over(WallContacts& fresh, const WallContacts& old, const std::vector<
       fresh.active[to] = old.active[from];
       std::copy_n(&old.slide[4 * std::size_t(from)], 4, &fresh.slide[4 * to]);
       std::copy_n(&old.roll[4 * std::size_t(from)], 4, &fresh.roll[4 * to]);
+      std::copy_n(&old.couple[3 * std::size_t(from)], 3, &fresh.couple[3 * to]);
       if (!fresh.shape.empty() && !old.shape.empty())
         std::copy_n(&old.shape[wall_memory * std::size_t(from)], wall_memory, &fresh.shape[wall_memory * to]);
     }

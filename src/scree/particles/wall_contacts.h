@@ -18,6 +18,7 @@ struct WallContacts {
   Buffer<std::uint8_t> active;  // contact_code() of the last evaluation
   Buffer<double> slide;         // [contacts][4]: stretch of the tangential spring x y z [m], approach [m/s]
   Buffer<double> roll;          // [contacts][4]: stretch of the rolling spring x y z, of the twisting spring [rad]
+  Buffer<double> couple;        // [contacts][3]: hard collisions: against turning, on the particle, of a step [N m s]
   Buffer<sc_wall_gap> gap;      // [contacts]: the way to the wall at the last evaluation
   // [contacts][wall_memory], empty in a system of spheres: what sc_wall_memory holds (anchor x y z, distance at first
   // touch), arm to the contact point x y z, effective radius; and four numbers that do not last.

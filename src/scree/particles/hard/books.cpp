@@ -111,6 +111,7 @@ void remember(ParticleSystem& s, const HardContacts& h) {
     if (c.at_wall()) {
       put(&s.wall_contacts.slide[at], 1, c.held);
       put(&s.wall_contacts.roll[at], 1, c.struck);
+      put(&s.wall_contacts.couple[3 * std::size_t(c.memory)], 1, sc_add(c.held_couple, c.struck_couple));
       keep_extras(c, &s.wall_contacts.slide[at], &s.wall_contacts.roll[at]);
       s.wall_contacts.active[c.memory] = contact_code(true, c.slid);
       if (s.particles.shaped())

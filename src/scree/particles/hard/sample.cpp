@@ -76,7 +76,8 @@ void add_walls(ParticleSystem& s, double dt, Sample& out) {
       std::fill_n(load, 8, 0.0);
       if (!walls.active[w]) continue;
       const sc_vec force = mean_force(walls.slide, walls.roll, static_cast<std::size_t>(w), dt);
-      const sc_vec moment = sc_cross(arm_at_wall(s, i, w), force);
+      const sc_vec couple = dt == 0 ? sc_zero_vec() : sc_scale(1 / dt, vec_of(&walls.couple[3 * std::size_t(w)]));
+      const sc_vec moment = sc_add(sc_cross(arm_at_wall(s, i, w), force), couple);
       put(load, sc_scale(-1, force));
       put(load + 4, sc_scale(-1, moment));
       put(&out.force[4 * i], sc_add(vec_of(&out.force[4 * i]), force));
