@@ -110,10 +110,16 @@ def has_groups(frame_path):
         return "group" in file["particles"] and len(np.unique(file["particles/group"][:])) > 1
 
 
-def shapes_of(frame):
-    """The bodies of a frame in which some are no spheres and all is there that says how they look, else None."""
+def shapes_of(frame, run):
+    """The bodies of a frame in which some are no spheres and all is there that says how they look, else None. `run`: directory of
+    the run, which holds the surfaces of shapes that are no superellipsoids."""
     names = ("orientation", "half_axes", "exponents")
-    return shapes.Shapes(*(frame[name].astype(float) for name in names)) if all(n in frame for n in names) else None
+    if not all(name in frame for name in names):
+        return None
+    number = frame.get("shape_file", np.full(len(frame["id"]), -1))
+    files = {n: run / f"shape_{n}.obj" for n in np.unique(number[number >= 0])}
+    surfaces = {n: shapes.Surface(path) for n, path in files.items() if path.is_file()}
+    return shapes.Shapes(*(frame[name].astype(float) for name in names), number, surfaces)
 
 
 def draw(frame_path, picture_path, pixels=2400, by_group=False):
@@ -133,7 +139,7 @@ def draw(frame_path, picture_path, pixels=2400, by_group=False):
     surface = walls.read_walls(pathlib.Path(frame_path))
     low, high, is_domain = frame_box(frame, surface)
     camera = spheres.Camera(low, high, *view_angles(low, high), pixels)
-    bodies = shapes_of(frame)
+    bodies = shapes_of(frame, pathlib.Path(frame_path).parent.parent)
     radius = 0.5 * frame["diameter"] if bodies is None else bodies.radius
     image, depth = spheres.shade(
         camera, frame["position"], radius, colours, floor=(low, high) if is_domain else None, shapes=bodies

@@ -212,6 +212,28 @@ class Shapes(unittest.TestCase):
         both = ~np.isnan(found + expected)
         self.assertLess(np.quantile(np.abs(found - expected)[both], 0.98), 5e-3)
 
+    def test_a_shape_from_a_file_looks_as_its_formula_says(self):
+        rings, spokes = 32, 64
+        polar, around = np.meshgrid(np.pi * np.arange(1, rings) / rings, 2 * np.pi * np.arange(spokes) / spokes, indexing="ij")
+        flat = np.sin(polar)
+        ways = np.stack([flat * np.cos(around), flat * np.sin(around), np.cos(polar)], axis=-1).reshape(-1, 3)
+        ways = np.concatenate([[[0, 0, 1]], ways, [[0, 0, -1]]])
+        value, slope = shapes.gauge(ways, np.tile([4.0, 2.0], (len(ways), 1)))
+        points, normals = ways / value[:, None], slope / np.linalg.norm(slope, axis=1)[:, None]
+        with tempfile.TemporaryDirectory() as directory:
+            path = pathlib.Path(directory) / "shape_1.obj"
+            path.write_text("".join(f"v {x} {y} {z}\n" for x, y, z in points) + "".join(f"vn {x} {y} {z}\n" for x, y, z in normals))
+            surface = shapes.Surface(path)
+        self.assertEqual((surface.rings, surface.spokes), (rings, spokes))
+        places = np.random.default_rng(5).normal(size=(2000, 3))
+        expected, gradient = shapes.gauge(places, np.tile([4.0, 2.0], (len(places), 1)))
+        found, found_gradient = surface.gauge(places)
+        np.testing.assert_allclose(found, expected, rtol=3e-3)
+        self.assertLess(np.max(np.linalg.norm(found_gradient - gradient, axis=1)), 0.05)
+        turn, axes = np.array([[1.0, 0, 0, 0]] * 2), np.array([[2.0, 1.0, 0.5]] * 2)
+        bodies = shapes.Shapes(turn, axes, np.array([[0.5, 1.0], [1.0, 1.0]]), np.array([-1, 1]), {1: surface})
+        self.assertAlmostEqual(bodies.radius[0], bodies.radius[1], delta=0.01)
+
     def test_normals_of_an_ellipsoid(self):
         bodies = shapes.Shapes(np.array([[1.0, 0, 0, 0]]), np.array([[2.0, 1.0, 0.5]]), np.ones((1, 2)))
         place = np.array([0.6, 0.64, 0.48]) * [2.0, 1.0, 0.5] / bodies.radius[0]

@@ -1,4 +1,4 @@
-// Superellipsoids against planes, polygons and surfaces of revolution: brute force over the face; and effective radii.
+// Bodies against planes, polygons and surfaces of revolution: brute force over the face; and effective radii.
 #include "scree/physics/touch/body_face.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +11,13 @@ namespace scree::pairs {
 namespace {
 
 std::vector<Body> bodies() {
-  return {{make_form({1, 1, 1}, 1, 1), 1},   {make_form({1, .7, .5}, 1, 1), 1},
-          {make_form({1, 1, 2}, .25, 1), 1}, {make_form({1, .8, .3}, .25, .25), 1},
-          {make_form({1, 2, 1}, .4, .6), 1}, {make_form({1, 1, .4}, 1.5, 1.2), 1}};
+  return {{make_form({1, 1, 1}, 1, 1), 1},
+          {make_form({1, .7, .5}, 1, 1), 1},
+          {make_form({1, 1, 2}, .25, 1), 1},
+          {make_form({1, .8, .3}, .25, .25), 1},
+          {make_form({1, 2, 1}, .4, .6), 1},
+          {make_form({1, 1, .4}, 1.5, 1.2), 1},
+          capsule(1, 2.5)};
 }
 
 /// Gauge of a body at a point from its centre, in long double.

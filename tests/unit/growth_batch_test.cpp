@@ -36,7 +36,7 @@ TEST(GrowthBatch, HasTheBitsOfOnePairAtATime) {
         Exponents{8, 8, SC_GROWTH_88}, Exponents{5.3, 3.7, SC_GROWTH_GENERAL}, Exponents{20, 1.5, SC_GROWTH_GENERAL},
         Exponents{2, 8, SC_GROWTH_GENERAL}}) {
     const Body a{make_form({1, .8, 2}, 2 / e.n1, 2 / e.n2), 1}, b{make_form({1, 1, .5}, 2 / e.n1, 2 / e.n2), .6};
-    ASSERT_EQ(sc_growth_kind(a.form.shape.gauge, b.form.shape.gauge), e.kind);
+    ASSERT_EQ(sc_growth_kind(a.form.shape, b.form.shape), e.kind);
     for (int round = 0; round < 40; ++round) {
       // Warm and cold, touching and apart, in batches of different fillings.
       std::vector<Job> jobs;
@@ -63,7 +63,7 @@ TEST(GrowthBatch, HasTheBitsOfOnePairAtATime) {
 
 TEST(GrowthBatch, PairsOfDifferentPowersAreOfTheGeneralKind) {
   const sc_form cube = make_form({1, 1, 1}, .25, .25).shape, ball = make_form({1, 1, 2}, 1, 1).shape;
-  EXPECT_EQ(sc_growth_kind(cube.gauge, ball.gauge), SC_GROWTH_GENERAL);
+  EXPECT_EQ(sc_growth_kind(cube, ball), SC_GROWTH_GENERAL);
   const sc_growth_pair p = sc_make_growth_pair(cube, 1, ball, 1, sc_unit_mat(), sc_make_vec(1, 0, 0));
   EXPECT_EQ(p.gauge_a.inner.power, 0);
   EXPECT_EQ(p.gauge_b.outer.power, 0);

@@ -1,4 +1,4 @@
-// Certified contact of superellipsoids: pairs with a known growth distance, extremes, near touching, exact symmetry.
+// Certified contact: pairs with a known growth distance, extremes, near touching, exact symmetry.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -175,7 +175,7 @@ TEST(Growth, PointedBodiesNeedNoPortal) {
   int pairs = 0, open = 0;
   for (const Kind& k : kinds()) {
     const sc_exponents of_a = k.a.form.shape.gauge, of_b = k.b.form.shape.gauge;
-    if (!sc_growth_is_dual(of_a, of_b) || std::string(k.name) == "e 1.9, e 0.1") continue;
+    if (!sc_growth_is_dual(of_a, of_b) || std::string(k.name) == "e 1.9, e 0.1" || k.a.form.other()) continue;
     for (int i = 0; i < 200; ++i) {
       const Touching t = any_touching(k.a, k.b, random);
       const sc_growth_pair p = t.at(0.99), later = t.at(0.9901);

@@ -21,16 +21,27 @@ double spread(int k, int dimension) {
   return x - std::floor(x) - 0.5;
 }
 
-/// The shapes of the method study, by half axes [m] and exponents n1 = 2/e1, n2 = 2/e2, and some that are long or flat.
+/// The shapes of the method study, by half axes [m] and exponents n1 = 2/e1, n2 = 2/e2, and some that are long or flat;
+/// without exponents the name is that of the shape.
 struct Shape {
   const char* name;
   Axes axes;
-  double n1, n2;
+  double n1 = 0, n2 = 0;
+
+  std::string text() const {
+    const std::string lengths = fmt::format("half_axes = [{}, {}, {}]\n", axes[0], axes[1], axes[2]);
+    if (n1 == 0) return fmt::format("shape = \"{}\"\n{}", name, lengths);
+    return fmt::format("shape = \"superellipsoid\"\n{}exponents = [{:.17g}, {:.17g}]\n", lengths, 2 / n1, 2 / n2);
+  }
 };
 
-const Shape shapes[] = {{"ellipsoid", {0.1, 0.07, 0.05}, 2, 2},   {"rounded", {0.1, 0.08, 0.06}, 4, 4},
-                        {"cylinder", {0.07, 0.07, 0.1}, 6, 2},    {"cube", {0.08, 0.08, 0.08}, 8, 8},
-                        {"general", {0.1, 0.08, 0.06}, 5.3, 3.7}, {"pointed", {0.1, 0.08, 0.09}, 1.25, 1.3}};
+const Shape shapes[] = {{"ellipsoid", {0.1, 0.07, 0.05}, 2, 2},
+                        {"rounded", {0.1, 0.08, 0.06}, 4, 4},
+                        {"cylinder", {0.07, 0.07, 0.1}, 6, 2},
+                        {"cube", {0.08, 0.08, 0.08}, 8, 8},
+                        {"general", {0.1, 0.08, 0.06}, 5.3, 3.7},
+                        {"pointed", {0.1, 0.08, 0.09}, 1.25, 1.3},
+                        {"capsule", {0.05, 0.05, 0.1}}};
 
 struct Motion {
   sc_vec place, velocity, spin;
@@ -69,11 +80,9 @@ Case collision(const Shape& shape, const Laws& law, const Bodies& bodies, double
       time_step, law.contact, law.material);
   for (const Motion& m : bodies)
     text += fmt::format(
-        "[[particles]]\nmaterial = \"glass\"\nshape = \"superellipsoid\"\nhalf_axes = [{}, {}, {}]\n"
-        "exponents = [{:.17g}, {:.17g}]\ninsert = \"positions\"\npositions = [{}]\nvelocity = {}\n"
+        "[[particles]]\nmaterial = \"glass\"\n{}insert = \"positions\"\npositions = [{}]\nvelocity = {}\n"
         "angular_velocity = {}\norientation = {{ quaternion = [{:.17g}, {:.17g}, {:.17g}, {:.17g}] }}\n",
-        shape.axes[0], shape.axes[1], shape.axes[2], 2 / shape.n1, 2 / shape.n2, text_of(m.place), text_of(m.velocity),
-        text_of(m.spin), m.turn.w, m.turn.x, m.turn.y, m.turn.z);
+        shape.text(), text_of(m.place), text_of(m.velocity), text_of(m.spin), m.turn.w, m.turn.x, m.turn.y, m.turn.z);
   return test::case_of(text);
 }
 

@@ -1,4 +1,4 @@
-// Pairs of superellipsoids whose growth distance and normal are known without any solver: the farthest points of both
+// Pairs of bodies whose growth distance and normal are known without any solver: the farthest points of both
 // bodies along a common normal are brought together, so that the plane there separates them. All in long double.
 #pragma once
 
@@ -41,18 +41,21 @@ struct Body {
     return larger > 0 ? larger * std::pow(1 + std::pow(smaller / larger, p), 1 / p) : 0;
   }
   Real gauge(Vec x) const {
+    if (form.other()) return capsule_gauge(x);
     const Vec a = axes();
     const Real n1 = 2 / static_cast<Real>(form.exponents[0]), n2 = 2 / static_cast<Real>(form.exponents[1]);
     return norm(norm(std::abs(x.x) / a.x, std::abs(x.y) / a.y, n2), std::abs(x.z) / a.z, n1);
   }
   Real support(Vec n) const {
     const Vec a = axes();
+    if (form.other()) return a.x * std::sqrt(dot(n, n)) + (a.z - a.x) * std::abs(n.z);
     const Real q1 = 2 / (2 - static_cast<Real>(form.exponents[0])), q2 = 2 / (2 - static_cast<Real>(form.exponents[1]));
     return norm(norm(std::abs(n.x) * a.x, std::abs(n.y) * a.y, q2), std::abs(n.z) * a.z, q1);
   }
   /// The point that lies farthest along n.
   Vec farthest(Vec n) const {
     const Vec a = axes();
+    if (form.other()) return a.x * unit(n) + Vec{0, 0, n.z == 0 ? 0 : std::copysign(a.z - a.x, n.z)};
     const Real q1 = 2 / (2 - static_cast<Real>(form.exponents[0])), q2 = 2 / (2 - static_cast<Real>(form.exponents[1]));
     const Real x = std::abs(n.x) * a.x, y = std::abs(n.y) * a.y, z = std::abs(n.z) * a.z;
     const Real r = norm(x, y, q2), h = norm(r, z, q1);
@@ -60,6 +63,16 @@ struct Body {
     const auto part = [&](Real u) { return r > 0 ? std::pow(u / r, q2 - 1) : 0; };
     return {std::copysign(a.x * plane * part(x), n.x), std::copysign(a.y * plane * part(y), n.y),
             std::copysign(a.z * std::pow(z / h, q1 - 1), n.z)};
+  }
+  /// The only other shape so far: the least factor with which the segment and the radius come to the point, by halving.
+  Real capsule_gauge(Vec x) const {
+    const Vec a = axes();
+    Real low = 0, high = std::sqrt(dot(x, x)) / a.x;
+    for (int i = 0; i < 80; ++i) {
+      const Real s = (low + high) / 2, beyond = std::max(std::abs(x.z) - s * (a.z - a.x), Real(0));
+      (x.x * x.x + x.y * x.y + beyond * beyond > s * s * a.x * a.x ? low : high) = s;
+    }
+    return high;
   }
   /// Normal at the point of the surface along u: by differences of the gauge, which are good enough to choose a place.
   Vec normal_along(Vec u) const {
@@ -157,7 +170,12 @@ inline Body body(const Axes& axes, double n1, double n2, double size = 1) {
   return {make_form(axes, 2 / n1, 2 / n2), size};
 }
 
-/// The thirteen pairs of shapes of the method study, and the extremes.
+/// Of a radius and half the length from tip to tip.
+inline Body capsule(double radius, double half, double size = 1) {
+  return {make_form("capsule", {radius, radius, half}, 1, 1), size};
+}
+
+/// The thirteen pairs of shapes of the method study, the extremes, and capsules.
 inline std::vector<Kind> kinds() {
   std::vector<Kind> all;
   const auto same = [&](const char* name, const Body& a) { all.push_back({name, a, a}); };
@@ -179,6 +197,11 @@ inline std::vector<Kind> kinds() {
   same("needles 20", body({20, 1, 1}, 20, 20));
   same("discs 20", body({20, 20, 1}, 20, 2));
   all.push_back({"e 1.9 disc, small", body({20, 20, 1}, 2 / 1.9, 2 / 1.9), body({20, 20, 1}, 2 / 1.9, 2 / 1.9, .1)});
+  same("capsules", capsule(1, 2.5));
+  all.push_back({"capsule, capsule 20", capsule(1, 20), capsule(1, 1.1, .3)});
+  all.push_back({"capsule, cube", capsule(1, 3), body({1, 1, 1}, 8, 8)});
+  all.push_back({"ellipsoid, small capsule", body({1, .7, .5}, 2, 2), capsule(1, 4, .2)});
+  all.push_back({"capsule, pointed", capsule(1, 2), body({1, 1, 1}, 1.3, 1.3, .8)});
   all.push_back({"needle, small cube", body({20, 1, 1}, 2, 2), body({1, 1, 1}, 20, 20, .1)});
   return all;
 }

@@ -78,7 +78,8 @@ std::vector<Form> all_forms() {
           make_form({1, 1, 1}, .5, .5),
           make_form({1.3, .9, .7}, .6, .8),
           make_form({1, .5, .5}, 1.5, .3),
-          make_form({1, 1, 1}, .1, .1)};
+          make_form({1, 1, 1}, .1, .1),
+          make_form("capsule", {1, 1, 2.5}, 1, 1)};
 }
 
 TEST(VertexContact, FindsWhatPlainLoopsFind) {

@@ -89,7 +89,7 @@ double prescribed_speed(const ParticleKeys& keys, const ParticleGroup& group, do
 std::vector<Form> shapes_of(const ParticleGroup& group) {
   std::vector<Form> out;
   const auto add = [&](const Form& form) {
-    const auto same = [&](const Form& f) { return f.half_axes() == form.half_axes() && f.exponents == form.exponents; };
+    const auto same = [&](const Form& f) { return same_shape(f, form); };
     if (!form.shape.is_sphere && std::none_of(out.begin(), out.end(), same)) out.push_back(form);
   };
   add(group.shape);

@@ -48,7 +48,7 @@ void place(ParticleGroup& group, const ParticleKeys& keys, const DomainKeys& dom
 void take_shape(ParticleGroup& group, const ParticleKeys& keys) {
   using Kind = Orientations::Kind;
   if (keys.shape == "sphere" || keys.insert == "checkpoint") return;
-  group.shape = make_form(keys.half_axes, keys.exponents[0], keys.exponents[1]);
+  group.shape = make_form(keys.shape, keys.half_axes, keys.exponents[0], keys.exponents[1]);
   const OrientationKeys& o = keys.orientation;
   group.orientations.kind = o.type == "random" ? Kind::random : o.type == "aligned" ? Kind::aligned : Kind::given;
   group.orientations.spread = o.spread;

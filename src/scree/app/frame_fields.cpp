@@ -11,8 +11,8 @@ namespace scree {
 namespace {
 
 /// In every frame; in those of a case that chooses nothing (of agglomerates: with their analysis; of shapes: where some
-/// particle is no sphere); on request only.
-enum class Part { always, usual, of_agglomerates, of_shapes, extra };
+/// particle is no sphere; of others: where some is no superellipsoid); on request only.
+enum class Part { always, usual, of_agglomerates, of_shapes, of_others, extra };
 
 struct FrameField {
   const char *name, *unit, *meaning;
@@ -43,6 +43,9 @@ constexpr FrameField fields[] = {
      SCREE_VALUES(half_axes)},
     {"exponents", "1", "e1 (along z) and e2 (in the plane of x and y) of the superellipsoid; 1 and 1: ellipsoid.",
      Part::of_shapes, Element::float64, 2, SCREE_VALUES(exponents)},
+    {"shape_file", "1",
+     "Number in the name of the file shape_N.obj with the surface over the half axes; -1: superellipsoid.",
+     Part::of_others, Element::int32, 1, SCREE_VALUES(shape_file)},
     {"agglomerate", "1", "Smallest id in the agglomerate; -1 for a single particle.", Part::of_agglomerates,
      Element::int64, 1, SCREE_VALUES(agglomerate)},
     {"agglomerate_size", "1", "Number of particles in the agglomerate.", Part::of_agglomerates, Element::int32, 1,
@@ -60,9 +63,10 @@ constexpr FrameField fields[] = {
 
 bool chosen(const FrameField& field, const OutputKeys& output, FrameParts there) {
   if (field.part == Part::of_shapes && !there.shapes) return false;
+  if (field.part == Part::of_others && !there.others) return false;
   if (field.part == Part::always) return true;
   if (!output.fields.empty()) return std::ranges::find(output.fields, field.name) != output.fields.end();
-  return field.part == Part::usual || field.part == Part::of_shapes ||
+  return field.part == Part::usual || field.part == Part::of_shapes || field.part == Part::of_others ||
          (field.part == Part::of_agglomerates && there.agglomerates);
 }
 
@@ -70,12 +74,13 @@ bool in_single(const FrameField& field, const OutputKeys& output) {
   return field.element == Element::float64 && output.precision == "single";
 }
 
-void add_shape(const ParticleSystem& s, std::size_t i, FrameData& d) {
+void add_shape(const ParticleSystem& s, std::size_t i, bool others, FrameData& d) {
   const double *q = s.particles.orientation.row(i), radius = s.particles.motion.row(i)[lane::radius];
   const Form& form = s.forms[static_cast<std::size_t>(s.particles.form[i])];
   d.orientation.insert(d.orientation.end(), q, q + 4);
   for (const double axis : form.half_axes()) d.half_axes.push_back(radius * axis);
   d.exponents.insert(d.exponents.end(), form.exponents.begin(), form.exponents.end());
+  if (others) d.shape_file.push_back(form.other() ? s.particles.form[i] : -1);
 }
 
 /// The doubles rounded to floats, owned by the column.
@@ -93,6 +98,7 @@ FrameData frame_data(const Sample& sample, bool agglomerates) {
   const Particles& p = sample.system.particles;
   const std::vector<std::int32_t> contacts = count_contacts(sample.system);
   FrameData d;
+  const bool others = std::ranges::any_of(sample.system.forms, [](const Form& form) { return form.other(); });
   Agglomerates found;
   if (agglomerates) found = find_agglomerates(p, sample.system.domain, bonds_of(sample.system));
   for (const std::uint32_t i : order_by_id(p)) {
@@ -109,7 +115,7 @@ FrameData frame_data(const Sample& sample, bool agglomerates) {
     for (int k = 0; k < 3; ++k)
       d.unwrapped_position.push_back(m[k] + p.image.row(i)[k] * sample.system.domain.length(k));
     d.effect_diameter.push_back(2 * (p.radius_by_volume(i) + p.effect_excess[i]));
-    if (p.shaped()) add_shape(sample.system, i, d);
+    if (p.shaped()) add_shape(sample.system, i, others, d);
     d.contacts.push_back(contacts[i]);
     if (!agglomerates) continue;
     d.agglomerate.push_back(found.label[i]);
@@ -120,7 +126,7 @@ FrameData frame_data(const Sample& sample, bool agglomerates) {
 
 std::vector<FrameColumn> frame_columns(const FrameData& d, const OutputKeys& output) {
   std::vector<FrameColumn> out;
-  const FrameParts there{!d.agglomerate.empty(), !d.orientation.empty()};
+  const FrameParts there{!d.agglomerate.empty(), !d.orientation.empty(), !d.shape_file.empty()};
   for (const FrameField& field : fields) {
     if (!chosen(field, output, there) || (field.part == Part::of_agglomerates && !there.agglomerates)) continue;
     FrameColumn column{

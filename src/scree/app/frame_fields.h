@@ -14,6 +14,7 @@ namespace scree {
 /// Which fields that not every case has are there.
 struct FrameParts {
   bool agglomerates = false, shapes = false;
+  bool others = false;  // some shapes are no superellipsoids
 };
 
 /// Values for the frames, in the order of ids.
@@ -24,6 +25,7 @@ struct FrameData {
   std::vector<std::int64_t> agglomerate;
   std::vector<std::int32_t> agglomerate_size;
   std::vector<double> orientation, half_axes, exponents;  // empty if all particles are spheres
+  std::vector<std::int32_t> shape_file;                   // empty if all are superellipsoids
   std::vector<double> force, unwrapped_position, effect_diameter;
   std::vector<std::int32_t> contacts;
 };

@@ -11,6 +11,7 @@
 #include "scree/app/wall_surface.h"
 #include "scree/base/error.h"
 #include "scree/input/record.h"
+#include "scree/output/shape_file.h"
 
 namespace scree {
 namespace {
@@ -152,6 +153,12 @@ void Outputs::append_row(Simulation& simulation) {
   save_books(*last_good_);
 }
 
+void Outputs::write_shapes(const Forms& forms) {
+  for (std::size_t k = 0; k < forms.size() && !shapes_written_; ++k)
+    if (forms[k].other()) write_shape_file(shape_file(directory_.path(), k), forms[k]);
+  shapes_written_ = true;
+}
+
 void Outputs::write_frame(Simulation& simulation) {
   const Clock& clock = simulation.clock();
   frame_due_ = next_due(clock.step, case_.output.frames, clock.dt);
@@ -159,6 +166,7 @@ void Outputs::write_frame(Simulation& simulation) {
   const Sample& sample = simulation.sample();
   const Stopwatch watch(simulation.stages(), "output");
   const FrameData data = frame_data(sample, case_.analysis.agglomerates);
+  write_shapes(simulation.system().forms);
   if (surfaces_)
     surfaces_->write(clock.now(), frames_->count(), wall_surface(simulation.system().walls, sample.system.domain));
   frames_->write(clock.now(), static_cast<std::uint64_t>(clock.step), frame_columns(data, case_.output));

@@ -59,6 +59,7 @@ class Outputs {
   void write_row(Simulation& simulation);
   void append_row(Simulation& simulation);
   void write_tracks(const Sample& sample, double time);
+  void write_shapes(const Forms& forms);
   void write_frame(Simulation& simulation);
   void save_books(Archive& archive) const;
 
@@ -72,6 +73,7 @@ class Outputs {
   Measures measures_;
   std::int64_t row_due_ = 0, frame_due_ = 0, checkpoint_due_ = 0, books_due_ = 0;
   std::int64_t row_step_ = -1, frame_step_ = -1, checkpoint_step_ = -1;
+  bool shapes_written_ = false;
   std::optional<Books> books_;
   Measured measured_;
   LedgerRow row_;

@@ -88,9 +88,14 @@ Forms forms_of(const Archive& archive) {
   Forms forms;
   if (!archive.contains("forms")) return forms;
   const auto numbers = archive.get<double>("forms", 5);
-  for (std::size_t k = 0; k + 5 <= numbers.size(); k += 5)
+  // Where there are only superellipsoids, nothing says so.
+  std::istringstream names(archive.contains("shapes") ? archive.text("shapes") : "");
+  for (std::size_t k = 0; k + 5 <= numbers.size(); k += 5) {
+    std::string name;
+    std::getline(names, name);
     forms.push_back(
-        make_form_at_radius_one({numbers[k], numbers[k + 1], numbers[k + 2]}, numbers[k + 3], numbers[k + 4]));
+        make_form_at_radius_one(name, {numbers[k], numbers[k + 1], numbers[k + 2]}, numbers[k + 3], numbers[k + 4]));
+  }
   return forms;
 }
 
@@ -103,6 +108,10 @@ void save_forms(const Forms& forms, Archive& archive) {
     numbers.insert(numbers.end(), form.exponents.begin(), form.exponents.end());
   }
   archive.put("forms", std::move(numbers), 5);
+  if (std::all_of(forms.begin(), forms.end(), [](const Form& form) { return !form.other(); })) return;
+  std::string names;
+  for (const Form& form : forms) names += std::string(form.shape_name()) + "\n";
+  archive.set("shapes", names);
 }
 
 std::string group_names(const Case& c) {

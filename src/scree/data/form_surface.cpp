@@ -61,6 +61,11 @@ double superellipsoid_surface(const Axes& half_axes, double e1, double e2) {
   return 8 * (a * b * c) * sum;
 }
 
+double surface_of(const Form& form) {
+  if (const OtherShape* const other = form.other()) return other->surface(form.shape.axes);
+  return superellipsoid_surface(form.half_axes(), form.exponents[0], form.exponents[1]);
+}
+
 double sphericity(double volume, double surface) {
   const double radius = std::cbrt(volume / (4 * pi / 3));
   return 4 * pi * radius * radius / surface;

@@ -8,6 +8,9 @@ namespace scree {
 /// Surface area, in the squared unit of the half axes, within about 1e-9 of itself; 0.1 <= e1, e2 <= 2.
 double superellipsoid_surface(const Axes& half_axes, double e1, double e2);
 
+/// Surface area of a form, over the square of its bounding radius.
+double surface_of(const Form& form);
+
 /// Area of the sphere of equal volume over that of the surface (Wadell 1935): 1 for spheres, less for all others.
 double sphericity(double volume, double surface);
 

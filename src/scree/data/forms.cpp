@@ -32,7 +32,34 @@ double farthest(double a, double b, double e) {
   return larger * sc_pow(1 + ratio, 0.5 * (1 - e));
 }
 
+#define SCREE_LINE(constant, name, rule) \
+  OtherShape{#name,                      \
+             rule,                       \
+             SC_SHAPE_##constant,        \
+             sc_##name##_fits,           \
+             sc_##name##_bounding,       \
+             sc_##name##_volume,         \
+             sc_##name##_inertia,        \
+             sc_##name##_surface},
+constexpr OtherShape others[] = {SC_OTHER_SHAPES(SCREE_LINE)};
+#undef SCREE_LINE
+
+sc_vec vec_of_axes(const Axes& a) { return sc_make_vec(a[0], a[1], a[2]); }
+
 }  // namespace
+
+std::span<const OtherShape> other_shapes() { return others; }
+
+const OtherShape* other_shape(std::string_view name) {
+  const auto found = std::find_if(std::begin(others), std::end(others), [&](const auto& s) { return s.name == name; });
+  return found == std::end(others) ? nullptr : found;
+}
+
+const OtherShape* Form::other() const {
+  return shape.shape == SC_SHAPE_SUPERELLIPSOID ? nullptr : &others[shape.shape - 1];
+}
+
+std::string_view Form::shape_name() const { return other() ? other()->name : "superellipsoid"; }
 
 double bounding_radius(const Axes& half_axes, double e1, double e2) {
   return farthest(farthest(half_axes[0], half_axes[1], e2), half_axes[2], e1);
@@ -69,6 +96,32 @@ Form make_form_at_radius_one(const Axes& axes, double e1, double e2) {
   form.inertia = superellipsoid_inertia(axes, e1, e2);
   form.equivalent_radius = form.shape.is_sphere ? 1 : sc_cbrt(form.volume / ball);
   return form;
+}
+
+Form make_form_at_radius_one(std::string_view shape, const Axes& axes, double e1, double e2) {
+  const OtherShape* const other = other_shape(shape);
+  if (!other) return make_form_at_radius_one(axes, e1, e2);
+  Form form;
+  form.shape = sc_make_other_form(other->shape, vec_of_axes(axes));
+  form.volume = other->volume(form.shape.axes);
+  const sc_vec inertia = other->inertia(form.shape.axes);
+  form.inertia = {inertia.x, inertia.y, inertia.z};
+  form.equivalent_radius = sc_cbrt(form.volume / ball);
+  return form;
+}
+
+double bounding_radius(std::string_view shape, const Axes& half_axes, double e1, double e2) {
+  const OtherShape* const other = other_shape(shape);
+  return other ? other->bounding(vec_of_axes(half_axes)) : bounding_radius(half_axes, e1, e2);
+}
+
+Form make_form(std::string_view shape, const Axes& half_axes, double e1, double e2) {
+  const double radius = bounding_radius(shape, half_axes, e1, e2);
+  return make_form_at_radius_one(shape, {half_axes[0] / radius, half_axes[1] / radius, half_axes[2] / radius}, e1, e2);
+}
+
+bool same_shape(const Form& a, const Form& b) {
+  return a.shape.shape == b.shape.shape && a.exponents == b.exponents && a.half_axes() == b.half_axes();
 }
 
 Form sphere_form() { return make_form({1, 1, 1}, 1, 1); }

@@ -33,7 +33,7 @@ void check_domain(const Check& check) {
 double around_body(const ParticleKeys& p) {
   const Vec3& a = p.half_axes;
   if (p.shape == "sphere" || p.exponents.size() != 2 || !(a[0] > 0 && a[1] > 0 && a[2] > 0)) return 1;
-  return 1 / make_form(a, p.exponents[0], p.exponents[1]).equivalent_radius;
+  return 1 / make_form(p.shape, a, p.exponents[0], p.exponents[1]).equivalent_radius;
 }
 
 double largest_diameter(const SizeKeys& size) {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "scree/data/forms.h"
 #include "scree/input/checks.h"
 
 namespace scree {
@@ -56,6 +57,10 @@ void check_shape(const Check& check, std::size_t index) {
   if (*most > (1 + 1e-9) * largest_ratio * *least)  // lengths with units are rounded
     check.fail("E167", path + ".half_axes", "the shape is too long or too flat",
                fmt::format("the half axes differ by a factor of {:.4g}", *most / *least), "up to 20 is possible");
+  const OtherShape* const other = other_shape(p.shape);
+  if (other && !other->fits(sc_make_vec(p.half_axes[0], p.half_axes[1], p.half_axes[2])))
+    check.fail("E167", path + ".half_axes", fmt::format("these are no half axes of a {}", other->name),
+               in_words(p.half_axes), fmt::format("of its half axes {}", other->rule));
   if (p.exponents.size() != 2)
     check.fail("E104", path + ".exponents", "'exponents' must be two numbers, e1 and e2",
                fmt::format("{} given", p.exponents.size()), "e1 is that along z, e2 that in the plane of x and y");

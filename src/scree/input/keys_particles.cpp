@@ -1,4 +1,7 @@
 // Groups of particles: size, motion, and how they come to be.
+#include <fmt/format.h>
+
+#include "scree/data/forms.h"
 #include "scree/input/keys.h"
 
 namespace scree {
@@ -95,24 +98,46 @@ const Section& orientation_section() {
   return section;
 }
 
+/// Words of shapes with half axes.
+std::vector<std::string> shapes_but_spheres() {
+  std::vector<std::string> words{"ellipsoid", "superellipsoid", "cylinder", "box"};
+  for (const OtherShape& other : other_shapes()) words.emplace_back(other.name);
+  return words;
+}
+
+std::vector<std::string> shapes() {
+  std::vector<std::string> words = shapes_but_spheres();
+  words.insert(words.begin(), "sphere");
+  return words;
+}
+
+/// What the half axes of shapes beside superellipsoids are.
+std::string meaning_of_others() {
+  std::string text;
+  for (const OtherShape& other : other_shapes())
+    text += fmt::format("; {}: of its half axes {}", other.name, other.rule);
+  return text;
+}
+
 }  // namespace
 
 const Section& particles_section() {
   using S = ParticleKeys;
   static const std::vector<std::string> filled = {"lattice", "random"}, boxed = {"lattice", "random", "rate"},
-                                        feed = {"rate"}, shaped = {"ellipsoid", "superellipsoid", "cylinder", "box"};
+                                        feed = {"rate"}, shaped = shapes_but_spheres();
+  static const std::string meaning =
+      "sphere; ellipsoid; superellipsoid: |x/a|^(2/e2) + |y/b|^(2/e2) to the power e2/e1, plus |z/c|^(2/e1), is 1; "
+      "cylinder: the same with its axis along z and rounded edges (exponents 0.25 and 1); box: with rounded edges "
+      "(0.25 "
+      "and 0.25)" +
+      meaning_of_others() + ". Others than spheres do not go with a rotating frame";
   static const Section section = {
       "particles",
       "[[particles]]",
       "A group of particles. Ids are counted through the groups in the order of the file, then as particles come in.",
       {key("name", &S::name, "name in messages and results").is_a(TextKind::name).defaults_to("group0, group1, ..."),
        key("material", &S::material, "name of a material").required(),
-       key("shape", &S::shape,
-           "sphere; ellipsoid; superellipsoid: |x/a|^(2/e2) + |y/b|^(2/e2) to the power e2/e1, plus |z/c|^(2/e1), is "
-           "1; cylinder: the same with its axis along z and rounded edges (exponents 0.25 and 1); box: with rounded "
-           "edges (0.25 and 0.25). Others than spheres do not go with a rotating frame")
-           .one_of({"sphere", "ellipsoid", "superellipsoid", "cylinder", "box"})
-           .not_with("insert", {"checkpoint"}),
+       key("shape", &S::shape, meaning.c_str()).one_of(shapes()).not_with("insert", {"checkpoint"}),
        key("half_axes", &S::half_axes,
            "half axes a, b, c of the shape, with a ratio of up to 20; where 'diameter' is given, it makes the size and "
            "they count by their ratios")

@@ -49,13 +49,13 @@ void complete_measures(std::vector<Keys>& list, const char* table, const char* n
 
 /// The exponents of shapes that have a name, and the diameter of equal volume where the half axes alone tell the size.
 void complete_shape(ParticleKeys& p, bool has_diameter) {
-  if (p.shape == "sphere" || p.shape == "ellipsoid") p.exponents = {1, 1};
+  if (p.shape == "sphere" || p.shape == "ellipsoid" || other_shape(p.shape)) p.exponents = {1, 1};
   if (p.shape == "cylinder") p.exponents = {0.25, 1};
   if (p.shape == "box") p.exponents = {0.25, 0.25};
   const Vec3& a = p.half_axes;
   if (p.shape == "sphere" || has_diameter || p.exponents.size() != 2 || !(a[0] > 0 && a[1] > 0 && a[2] > 0)) return;
-  p.diameter.value = 2 * make_form(a, p.exponents[0], p.exponents[1]).equivalent_radius *
-                     bounding_radius(a, p.exponents[0], p.exponents[1]);
+  p.diameter.value = 2 * make_form(p.shape, a, p.exponents[0], p.exponents[1]).equivalent_radius *
+                     bounding_radius(p.shape, a, p.exponents[0], p.exponents[1]);
 }
 
 /// Names by number, and the whole face where no part of it is given.

@@ -38,6 +38,7 @@ template <int Kind>
       sc_growth_exponents(Kind, {{b.exponent[0][i], b.inverse[0][i], 0}, {b.exponent[1][i], b.inverse[1][i], 0}});
   p.gauge_b =
       sc_growth_exponents(Kind, {{b.exponent[2][i], b.inverse[2][i], 0}, {b.exponent[3][i], b.inverse[3][i], 0}});
+  p.shape_a = p.shape_b = SC_SHAPE_SUPERELLIPSOID;
   p.turn.x = lane_vec(b.turn, i);
   p.turn.y = lane_vec(b.turn + 3, i);
   p.turn.z = lane_vec(b.turn + 6, i);

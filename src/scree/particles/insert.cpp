@@ -75,9 +75,7 @@ Place start_velocity(const ParticleGroup& group, std::uint32_t index, std::uint6
   return v;
 }
 
-bool same(const Form& a, const Form& b) {
-  return a.exponents == b.exponents && a.half_axes() == b.half_axes() && a.shape.is_sphere == b.shape.is_sphere;
-}
+bool same(const Form& a, const Form& b) { return same_shape(a, b) && a.shape.is_sphere == b.shape.is_sphere; }
 
 /// What a particle of a shape has besides: where its axes lie, and its inertia. The radius around it is there already.
 void fill_shape(Particles& particles, std::size_t row, const Forms& forms, const Form& shape, const sc_quat& q,

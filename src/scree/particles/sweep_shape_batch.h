@@ -7,8 +7,8 @@
 namespace scree {
 namespace {
 
-/// Number of kinds of pairs: SC_GROWTH_...
-constexpr int growth_kinds = 5;
+/// Number of kinds of pairs that go side by side: SC_GROWTH_...
+constexpr int growth_kinds = 5;  // but SC_GROWTH_OTHER
 
 /// Candidates whose search has not run yet, by kind: those that begin, and those that go on.
 struct ShapeQueues {
@@ -77,10 +77,11 @@ inline bool goes_on_in_lanes(const SweepView& v, std::int64_t c, const sc_vec& b
 /// Lets candidate c wait for others of its kind, or deals with it at once where there is nothing to search for.
 inline void queue_contact(const SweepView& v, std::int64_t c, ShapeQueues& queues, SweepFindings& findings) {
   const std::int64_t i = v.owner[c], j = v.partner[c];
-  const sc_exponents of_i = v.shapes.forms[v.shapes.form[i]].gauge, of_j = v.shapes.forms[v.shapes.form[j]].gauge;
+  const sc_form &of_i = v.shapes.forms[v.shapes.form[i]], &of_j = v.shapes.forms[v.shapes.form[j]];
   const sc_vec branch = branch_of_candidate(v, c);
-  if (sc_growth_is_dual(of_i, of_j)) return contact_of_shapes(v, c, branch, findings);
   const int kind = sc_growth_kind(of_i, of_j);
+  if (kind == SC_GROWTH_OTHER || sc_growth_is_dual(of_i.gauge, of_j.gauge))
+    return contact_of_shapes(v, c, branch, findings);
   if (goes_on_in_lanes(v, c, branch)) {
     queues.going_on[kind][queues.many[kind]] = static_cast<std::int32_t>(c);
     if (++queues.many[kind] == growth_lanes) run_lanes(v, queues, kind, findings);

@@ -8,7 +8,7 @@
 
 #include "scree/kernels/move_sphere.h"
 #include "scree/physics/contact/contact.h"
-#include "scree/physics/shape/superellipsoid.h"
+#include "scree/physics/shape/form.h"
 #include "scree/physics/touch/sphere_wall.h"
 
 namespace scree {

@@ -87,27 +87,37 @@ struct MappedBlock {
   return {x, y, z, (size_of(x) <= 1) & (size_of(y) <= 1) & (size_of(z) <= 1)};
 }
 
+/// What stands for the inside-outside function where a body is no superellipsoid, at a point over the half axes.
+inline double square_of_gauge(const sc_form& form, const sc_vec& x) {
+  const double gauge = sc_gauge(form, 1, sc_make_vec(form.axes.x * x.x, form.axes.y * x.y, form.axes.z * x.z)).value;
+  return gauge * gauge;
+}
+
 /// The inside-outside function at those in the box.
 template <int Kind>
-[[gnu::always_inline]] inline lane8 values_in_box(const MappedBlock& b, const sc_exponents& e) {
+[[gnu::always_inline]] inline lane8 values_in_box(const MappedBlock& b, const sc_form& in) {
   alignas(64) double at[3][8], value[8];
   const lane8 none{};
   store8(at[0], b.in_box ? b.x : none);
   store8(at[1], b.in_box ? b.y : none);
   store8(at[2], b.in_box ? b.z : none);
+  if constexpr (Kind == SC_GROWTH_OTHER) {
+    for (int l = 0; l < 8; ++l) value[l] = square_of_gauge(in, sc_make_vec(at[0][l], at[1][l], at[2][l]));
+  } else {
 #pragma omp simd
-  for (int l = 0; l < 8; ++l)
-    value[l] = sc_inside_outside(sc_growth_exponents(Kind, e), sc_make_vec(at[0][l], at[1][l], at[2][l]));
+    for (int l = 0; l < 8; ++l)
+      value[l] = sc_inside_outside(sc_growth_exponents(Kind, in.gauge), sc_make_vec(at[0][l], at[1][l], at[2][l]));
+  }
   return load8(value);
 }
 
 /// Eight vertices against the inside-outside function.
 template <int Kind>
-[[gnu::always_inline]] inline void search_block(const VertexView& of, int block, const VertexMap& m,
-                                                const sc_exponents& e, VertexHits& hits) {
+[[gnu::always_inline]] inline void search_block(const VertexView& of, int block, const VertexMap& m, const sc_form& in,
+                                                VertexHits& hits) {
   const MappedBlock b = mapped_block(of, block, m);
   if (bits_of(b.in_box) == 0) return;
-  note_block(of, block, b.in_box & (values_in_box<Kind>(b, e) <= 1), hits);
+  note_block(of, block, b.in_box & (values_in_box<Kind>(b, in) <= 1), hits);
 }
 
 /// What can lie in another body, seen from a body at bounding radius 1: nothing that reaches less far along a
@@ -127,8 +137,8 @@ inline VertexCut cut_at(const sc_body_shape& body, const sc_vec& n, double begin
 }
 
 template <int Kind>
-[[gnu::noinline]] void search_kind(const VertexView& of, const VertexMap& m, const VertexCut& cut,
-                                   const sc_exponents& e, VertexHits& hits) {
+[[gnu::noinline]] void search_kind(const VertexView& of, const VertexMap& m, const VertexCut& cut, const sc_form& in,
+                                   VertexHits& hits) {
   for (int group = 0; group < of.blocks; group += 8) {
     const double* s = of.spheres + 4 * group;
     const lane8 px = load8(s), py = load8(s + 8), pz = load8(s + 16), radius = load8(s + 24);
@@ -138,14 +148,15 @@ template <int Kind>
     near &= size_of(mapped(m, 1, px, py, pz)) <= 1 + m.spread[1] * radius;
     near &= size_of(mapped(m, 2, px, py, pz)) <= 1 + m.spread[2] * radius;
     for (unsigned bits = bits_of(near); bits; bits &= bits - 1)
-      search_block<Kind>(of, group + __builtin_ctz(bits), m, e, hits);
+      search_block<Kind>(of, group + __builtin_ctz(bits), m, in, hits);
   }
 }
 
-/// Lets `act` have the kind of a body's exponents as a constant.
+/// Lets `act` have the kind of a body as a constant.
 template <class Act>
-[[gnu::always_inline]] inline auto with_kind(const sc_exponents& e, Act act) {
-  const int kind = sc_growth_kind(e, e);
+[[gnu::always_inline]] inline auto with_kind(const sc_form& form, Act act) {
+  const int kind = sc_growth_kind(form, form);
+  if (kind == SC_GROWTH_OTHER) return act(std::integral_constant<int, SC_GROWTH_OTHER>{});
   if (kind == SC_GROWTH_22) return act(std::integral_constant<int, SC_GROWTH_22>{});
   if (kind == SC_GROWTH_44) return act(std::integral_constant<int, SC_GROWTH_44>{});
   if (kind == SC_GROWTH_82) return act(std::integral_constant<int, SC_GROWTH_82>{});
@@ -154,7 +165,7 @@ template <class Act>
 }
 
 /// The vertices of a body that lie in another one, which its map and cut tell of.
-inline void search_vertices(const VertexView& of, const VertexMap& m, const VertexCut& cut, const sc_exponents& in,
+inline void search_vertices(const VertexView& of, const VertexMap& m, const VertexCut& cut, const sc_form& in,
                             VertexHits& hits) {
   with_kind(in, [&](auto kind) { search_kind<kind>(of, m, cut, in, hits); });
 }
@@ -180,12 +191,12 @@ inline void search_vertices(const VertexView& of, const VertexMap& m, const Vert
 /// with F = g^n1 > 1, g - 1 > (1 - 1/F)/n1.
 template <int Kind>
 [[gnu::always_inline]] inline double block_distance(const VertexView& of, int block, const VertexMap& m,
-                                                    const VertexCut& cut, const sc_exponents& e) {
+                                                    const VertexCut& cut, const sc_form& in) {
   const double ball = 1 / SC_SQRT(m.spread[0] * m.spread[0] + m.spread[1] * m.spread[1] + m.spread[2] * m.spread[2]);
   const lane8 far = outside(m, cut, of.points + std::int64_t{48} * block);
   const MappedBlock b = mapped_block(of, block, m);
   if (bits_of(b.in_box) == 0) return least_of(far);
-  const lane8 by_gauge = (1 - 1 / values_in_box<Kind>(b, e)) * (e.outer.inverse * ball);
+  const lane8 by_gauge = (1 - 1 / values_in_box<Kind>(b, in)) * (in.gauge.outer.inverse * ball);
   return least_of(b.in_box ? larger(far, by_gauge) : far);
 }
 
@@ -193,7 +204,7 @@ template <int Kind>
 /// sphere is nearest comes first; others are looked at if their spheres are nearer than what was found.
 template <int Kind>
 [[gnu::noinline]] double distance_by_kind(const VertexView& of, const VertexMap& m, const VertexCut& cut,
-                                          const sc_exponents& in) {
+                                          const sc_form& in) {
   double far[most_vertex_blocks + 8];
   int nearest = 0;
   for (int group = 0; group < of.blocks; group += 8) {
@@ -210,8 +221,7 @@ template <int Kind>
   return least;
 }
 
-inline double vertices_distance(const VertexView& of, const VertexMap& m, const VertexCut& cut,
-                                const sc_exponents& in) {
+inline double vertices_distance(const VertexView& of, const VertexMap& m, const VertexCut& cut, const sc_form& in) {
   return with_kind(in, [&](auto kind) { return distance_by_kind<kind>(of, m, cut, in); });
 }
 
@@ -293,14 +303,14 @@ inline double reach_of_body(const sc_body_shape& body, const sc_vec& n, bool exa
   VertexHits of_a, of_b;
   const VertexMap map_a = map_into(first, second, branch);
   const VertexCut cut_a = cut_at(first, n, along - reach_b);
-  search_vertices(of_first, map_a, cut_a, second.form.gauge, of_a);
+  search_vertices(of_first, map_a, cut_a, second.form, of_a);
   if (of_a.count == 0)
-    return sc_vertices_apart(branch, n, first.radius * vertices_distance(of_first, map_a, cut_a, second.form.gauge));
+    return sc_vertices_apart(branch, n, first.radius * vertices_distance(of_first, map_a, cut_a, second.form));
   const VertexMap map_b = map_into(second, first, sc_scale(-1, branch));
   const VertexCut cut_b = cut_at(second, sc_scale(-1, n), along - reach_a);
-  search_vertices(of_second, map_b, cut_b, first.form.gauge, of_b);
+  search_vertices(of_second, map_b, cut_b, first.form, of_b);
   if (of_b.count == 0)
-    return sc_vertices_apart(branch, n, second.radius * vertices_distance(of_second, map_b, cut_b, first.form.gauge));
+    return sc_vertices_apart(branch, n, second.radius * vertices_distance(of_second, map_b, cut_b, first.form));
   return touch_of_hits(of_first, first, of_a, of_second, second, of_b, branch);
 }
 

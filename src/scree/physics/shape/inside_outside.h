@@ -7,7 +7,7 @@
 #ifndef SCREE_PHYSICS_SHAPE_INSIDE_OUTSIDE_H
 #define SCREE_PHYSICS_SHAPE_INSIDE_OUTSIDE_H
 
-#include "scree/physics/shape/superellipsoid.h"
+#include "scree/physics/shape/nested_norm.h"
 
 /// r^exponent for r between 0 and 1.
 SC_FN real sc_power_of(real r, sc_exponent e) {

@@ -8,7 +8,7 @@
 #define SCREE_PHYSICS_SHAPE_NESTED_NORM_H
 
 #include "scree/physics/math.h"
-#include "scree/physics/vec.h"
+#include "scree/physics/shape/norm_value.h"
 
 /// An exponent and, where it is a small power of two, that number: its powers are products then and its roots square
 /// roots. 0 stands for any other exponent.
@@ -29,14 +29,6 @@ typedef struct {
   real bend;        // factor of the Hessian
   real vx, vy;      // its direction
 } sc_two_norm;
-
-/// A nested norm of a vector; the Hessian is inner_bend i i^T + outer_bend o o^T.
-typedef struct {
-  real value;
-  sc_vec gradient;
-  real inner_bend, outer_bend;
-  sc_vec inner, outer;
-} sc_norm_value;
 
 /// Coordinates count as at least this part of their sum: the derivatives stay finite where they are singular. The value
 /// and the gradient are those of the point that is moved by as much.

@@ -1,4 +1,4 @@
-// Whether two superellipsoids touch, with a proof, and how.
+// Whether two bodies touch, with a proof, and how.
 //
 // Newton's method from the last point or from the line of centres, where a body is pointed that for the normal first;
 // where it does not come to a verdict the portal, and Newton's method again from what that has found; and cuts where
@@ -6,6 +6,7 @@
 #ifndef SCREE_PHYSICS_TOUCH_CERTIFIED_H
 #define SCREE_PHYSICS_TOUCH_CERTIFIED_H
 
+#include "scree/physics/touch/capsules.h"
 #include "scree/physics/touch/cuts.h"
 #include "scree/physics/touch/dual.h"
 
@@ -156,6 +157,8 @@ SC_FN sc_growth_touch sc_growth_solve_dual(sc_growth_pair p, int warm, sc_growth
 /// How two bodies meet. `start` may be where the solver ended before; `warm` says whether it is.
 SC_FN sc_growth_touch sc_growth_solve(sc_growth_pair p, int warm, sc_growth_point start) {
   if (sc_growth_is_concentric(p)) return sc_growth_concentric(p);
+  if ((p.shape_a == SC_SHAPE_CAPSULE) & (p.shape_b == SC_SHAPE_CAPSULE))
+    return sc_growth_resolve(p, 0, sc_growth_of_capsules(p));
   if (sc_growth_is_dual(p.gauge_a, p.gauge_b)) return sc_growth_solve_dual(p, warm, start);
   return sc_growth_resolve(p, warm, sc_growth_run(p, warm ? start : sc_growth_cold(p)));
 }

@@ -1,4 +1,4 @@
-// The growth distance of two superellipsoids by the ellipsoid method (Yudin and Nemirovski 1976, Shor 1977): slow, and
+// The growth distance of two bodies by the ellipsoid method (Yudin and Nemirovski 1976, Shor 1977): slow, and
 // certain to end, however little curvature bodies have and wherever they have edges.
 //
 // An ellipsoid that holds the place of the least value of a convex function is cut through its centre by the gradient
@@ -64,7 +64,7 @@ SC_FN sc_cut_point sc_cut_points(sc_growth_pair p, sc_vec start, real high) {
   region.column[1] = sc_turn(p.turn, sc_make_vec(R(0), size / p.scale_b.y, R(0)));
   region.column[2] = sc_turn(p.turn, sc_make_vec(R(0), R(0), size / p.scale_b.z));
   for (int i = 0; i < SC_CUTS_OF_POINTS; ++i) {
-    const sc_norm_value a = sc_nested_norm(p.scale_a, p.gauge_a, region.centre);
+    const sc_norm_value a = sc_growth_gauge_a(p, region.centre);
     const sc_norm_value b = sc_growth_gauge_b(p, region.centre);
     const real larger = SC_MAX(a.value, b.value);
     if (larger < best.high) {

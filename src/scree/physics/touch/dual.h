@@ -1,4 +1,4 @@
-// Growth distance of two superellipsoids where one is pointed: Newton's method for the best lower bound,
+// Growth distance of two bodies where one is pointed: Newton's method for the best lower bound,
 //
 //   1/growth = min over n with n.d = 1 of H(n) = h_A(n) + h_B(-n),
 //
@@ -53,8 +53,8 @@ SC_FN sc_dual sc_dual_from(sc_growth_pair p, sc_vec direction, sc_vec point, rea
 
 /// From the normal of A on the line of centres, and the point there where both gauges are equal.
 SC_FN sc_dual sc_dual_cold(sc_growth_pair p) {
-  const sc_norm_value a = sc_nested_norm(p.scale_a, p.gauge_a, p.branch);
-  const real b = sc_nested_norm(p.scale_b, p.gauge_b, sc_turn_back(p.turn, p.branch)).value;
+  const sc_norm_value a = sc_growth_gauge_a(p, p.branch);
+  const real b = sc_growth_own_gauge_b(p, sc_turn_back(p.turn, p.branch)).value;
   const real part = b / (a.value + b);
   return sc_dual_from(p, a.gradient, sc_scale(part, p.branch), (R(1) + R(1e-14)) * (part * a.value));
 }
@@ -73,7 +73,7 @@ SC_FN void sc_dual_high(sc_dual* s, sc_growth_pair p) {
   const real low = R(1) / s->column.height;
   const sc_vec missing = sc_add_scaled(p.branch, -low, s->column.difference);
   const sc_vec point = sc_add_scaled(sc_scale(low, s->column.part), s->column.height_a * low, missing);
-  const real a = sc_nested_norm(p.scale_a, p.gauge_a, point).value;
+  const real a = sc_growth_gauge_a(p, point).value;
   const real b = sc_growth_gauge_b(p, point).value;
   const real high = SC_MAX(a, b);
   if (!(high < s->high)) return;

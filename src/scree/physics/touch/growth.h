@@ -1,4 +1,4 @@
-// Growth distance of two superellipsoids: the factor by which both have to be scaled about their centres to touch
+// Growth distance of two bodies: the factor by which both have to be scaled about their centres to touch
 // (Perram and Wertheim 1985 for ellipsoids; Ong and Gilbert 1996). Below 1 they overlap, above 1 they are apart.
 //
 //   growth = min over x of max(gauge_A(x), gauge_B(x - d)) = max over n of n.d / (h_A(n) + h_B(-n))
@@ -17,18 +17,19 @@
 #ifndef SCREE_PHYSICS_TOUCH_GROWTH_H
 #define SCREE_PHYSICS_TOUCH_GROWTH_H
 
-#include "scree/physics/shape/superellipsoid.h"
+#include "scree/physics/shape/form.h"
 #include "scree/physics/symmetric.h"
 
 /// Two bodies in the frame of the first, which is not the smaller one.
 typedef struct {
   sc_vec scale_a, scale_b;  // inverse half axes [1/m]
   sc_exponents gauge_a, gauge_b;
-  sc_mat turn;    // from the frame of B to that of A
-  sc_vec branch;  // from the centre of A to that of B [m]
-  real radius_b;  // bounding radius of B [m]
-  real rounding;  // what rounding may do to a gauge
-  real limit;     // growth distance up to which it matters how they meet: 1, or more where bodies apart act
+  int shape_a, shape_b;  // SC_SHAPE_...
+  sc_mat turn;           // from the frame of B to that of A
+  sc_vec branch;         // from the centre of A to that of B [m]
+  real radius_b;         // bounding radius of B [m]
+  real rounding;         // what rounding may do to a gauge
+  real limit;            // growth distance up to which it matters how they meet: 1, or more where bodies apart act
 } sc_growth_pair;
 
 /// What is known of a pair: nothing yet; they touch, and the point is good enough for a force; they are apart; they
@@ -66,9 +67,19 @@ SC_FN sc_symmetric sc_add_hessian(sc_symmetric m, real weight, sc_norm_value g) 
   return sc_add_dyad(m, weight * g.value * g.outer_bend, g.outer);
 }
 
+/// The gauge of A at a point in its frame.
+SC_FN sc_norm_value sc_growth_gauge_a(sc_growth_pair p, sc_vec x) {
+  return sc_gauge_of(p.shape_a, p.scale_a, p.gauge_a, x);
+}
+
+/// The gauge of B at a point in the frame of B.
+SC_FN sc_norm_value sc_growth_own_gauge_b(sc_growth_pair p, sc_vec x) {
+  return sc_gauge_of(p.shape_b, p.scale_b, p.gauge_b, x);
+}
+
 /// The gauge of B at a point in the frame of A, with derivatives in that frame.
 SC_FN sc_norm_value sc_growth_gauge_b(sc_growth_pair p, sc_vec x) {
-  sc_norm_value b = sc_nested_norm(p.scale_b, p.gauge_b, sc_turn_back(p.turn, sc_sub(x, p.branch)));
+  sc_norm_value b = sc_growth_own_gauge_b(p, sc_turn_back(p.turn, sc_sub(x, p.branch)));
   b.gradient = sc_turn(p.turn, b.gradient);
   b.inner = sc_turn(p.turn, b.inner);
   b.outer = sc_turn(p.turn, b.outer);
@@ -77,7 +88,7 @@ SC_FN sc_norm_value sc_growth_gauge_b(sc_growth_pair p, sc_vec x) {
 
 /// One evaluation of both bodies at a point.
 SC_FN sc_growth_look sc_grow(sc_growth_pair p, sc_growth_point at) {
-  const sc_norm_value a = sc_nested_norm(p.scale_a, p.gauge_a, at.point);
+  const sc_norm_value a = sc_growth_gauge_a(p, at.point);
   const sc_norm_value b = sc_growth_gauge_b(p, at.point);
   const real t = at.share, s = R(1) - t;
   sc_growth_look out;
@@ -117,10 +128,20 @@ SC_FN real sc_growth_rounding(sc_vec scale_a, sc_vec scale_b, sc_vec branch) {
 }
 
 /// Pairs whose powers are products throughout, so that a loop over such pairs vectorises: both bodies have the same
-/// exponents, (n1, n2) = (2, 2), (4, 4), (8, 2) or (8, 8). All others are of the general kind.
-enum { SC_GROWTH_GENERAL = 0, SC_GROWTH_22 = 1, SC_GROWTH_44 = 2, SC_GROWTH_82 = 3, SC_GROWTH_88 = 4 };
+/// exponents, (n1, n2) = (2, 2), (4, 4), (8, 2) or (8, 8). All others are of the general kind, and those with a body
+/// that is no superellipsoid of their own.
+enum {
+  SC_GROWTH_GENERAL = 0,
+  SC_GROWTH_22 = 1,
+  SC_GROWTH_44 = 2,
+  SC_GROWTH_82 = 3,
+  SC_GROWTH_88 = 4,
+  SC_GROWTH_OTHER = 5
+};
 
-SC_FN int sc_growth_kind(sc_exponents a, sc_exponents b) {
+SC_FN int sc_growth_kind(sc_form first, sc_form second) {
+  if (first.shape != SC_SHAPE_SUPERELLIPSOID || second.shape != SC_SHAPE_SUPERELLIPSOID) return SC_GROWTH_OTHER;
+  const sc_exponents a = first.gauge, b = second.gauge;
   const int in = a.inner.power, out = a.outer.power;
   if (in != b.inner.power || out != b.outer.power) return SC_GROWTH_GENERAL;
   if (out == 2 && in == 2) return SC_GROWTH_22;
@@ -147,9 +168,11 @@ SC_FN sc_growth_pair sc_make_growth_pair(sc_form a, real radius_a, sc_form b, re
   sc_growth_pair p;
   p.scale_a = sc_scale(R(1) / radius_a, a.inverse_axes);
   p.scale_b = sc_scale(R(1) / radius_b, b.inverse_axes);
-  const int kind = sc_growth_kind(a.gauge, b.gauge);
+  const int kind = sc_growth_kind(a, b);
   p.gauge_a = sc_growth_exponents(kind, a.gauge);
   p.gauge_b = sc_growth_exponents(kind, b.gauge);
+  p.shape_a = a.shape;
+  p.shape_b = b.shape;
   p.turn = turn;
   p.branch = branch;
   p.radius_b = radius_b;
@@ -242,8 +265,8 @@ SC_FN sc_growth_search sc_growth_advance(sc_growth_pair p, sc_growth_search s) {
 
 /// The point on the line of centres where both gauges are equal, and the weight that is right if the normal is there.
 SC_FN sc_growth_point sc_growth_cold(sc_growth_pair p) {
-  const real a = sc_nested_norm(p.scale_a, p.gauge_a, p.branch).value;
-  const real b = sc_nested_norm(p.scale_b, p.gauge_b, sc_turn_back(p.turn, p.branch)).value;
+  const real a = sc_growth_gauge_a(p, p.branch).value;
+  const real b = sc_growth_own_gauge_b(p, sc_turn_back(p.turn, p.branch)).value;
   const real inverse = R(1) / (a + b);
   sc_growth_point out;
   out.point = sc_scale(b * inverse, p.branch);

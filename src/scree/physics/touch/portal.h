@@ -1,4 +1,4 @@
-// Growth distance of two superellipsoids from support points alone: slower than Newton's method and never at a loss.
+// Growth distance of two bodies from support points alone: slower than Newton's method and never at a loss.
 //
 // The vectors from points of B to points of A, both about their centres, fill a convex body C, symmetric about the
 // origin, and the growth distance is its gauge at the branch d: the least sum of c_i >= 0 with sum of c_i v_i = d over
@@ -33,17 +33,19 @@ typedef struct {
 SC_FN sc_exponent sc_dual_exponent(sc_exponent e) { return sc_make_exponent(e.value / (e.value - R(1))); }
 
 /// Support function of a body with inverse half axes `scale`.
-SC_FN sc_norm_value sc_portal_support(sc_vec scale, sc_exponents gauge, sc_vec n) {
+SC_FN sc_norm_value sc_portal_support(int shape, sc_vec scale, sc_exponents gauge, sc_vec n) {
+  const sc_vec axes = sc_make_vec(R(1) / scale.x, R(1) / scale.y, R(1) / scale.z);
+  if (shape != SC_SHAPE_SUPERELLIPSOID) return sc_other_support(shape, axes, n);
   sc_exponents e;
   e.inner = sc_dual_exponent(gauge.inner);
   e.outer = sc_dual_exponent(gauge.outer);
-  return sc_nested_norm(sc_make_vec(R(1) / scale.x, R(1) / scale.y, R(1) / scale.z), e, n);
+  return sc_nested_norm(axes, e, n);
 }
 
 /// The point of C that lies farthest in a direction.
 SC_FN sc_portal_column sc_portal_column_of(sc_growth_pair p, sc_vec n) {
-  const sc_norm_value a = sc_portal_support(p.scale_a, p.gauge_a, n);
-  const sc_norm_value b = sc_portal_support(p.scale_b, p.gauge_b, sc_turn_back(p.turn, n));
+  const sc_norm_value a = sc_portal_support(p.shape_a, p.scale_a, p.gauge_a, n);
+  const sc_norm_value b = sc_portal_support(p.shape_b, p.scale_b, p.gauge_b, sc_turn_back(p.turn, n));
   sc_portal_column out;
   out.part = a.gradient;
   out.difference = sc_add(a.gradient, sc_turn(p.turn, b.gradient));

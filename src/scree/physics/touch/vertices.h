@@ -74,8 +74,10 @@ SC_FN real sc_norm_at_most(real x, real y, sc_exponent e) {
          SC_MAX(R(1) - twice, R(0)) * SC_MAX(x, y);
 }
 
-/// A bound from above of the support function, by less than an eighth of it, without powers; exact for ellipsoids.
+/// A bound from above of the support function, by less than an eighth of it, without powers; exact for ellipsoids and
+/// for what is no superellipsoid.
 SC_FN real sc_support_at_most(sc_form form, real radius, sc_vec n) {
+  if (form.shape != SC_SHAPE_SUPERELLIPSOID) return sc_support(form, radius, n).value;
   const real x = SC_FABS(form.axes.x * n.x), y = SC_FABS(form.axes.y * n.y), z = SC_FABS(form.axes.z * n.z);
   return radius * sc_norm_at_most(sc_norm_at_most(x, y, form.support.inner), z, form.support.outer);
 }
