@@ -8,6 +8,7 @@
 
 #include "engine_cases.h"
 #include "run_files.h"
+#include "scree/app/build_walls.h"
 #include "scree/app/derived.h"
 #include "scree/app/memory_need.h"
 #include "scree/app/outside.h"
@@ -32,7 +33,8 @@ std::string wall(const std::string& keys) { return "[[walls]]\nname = \"wall\"\n
 
 std::vector<std::string> labels(const std::string& more) {
   std::vector<std::string> out;
-  for (const Remark& remark : remarks_on_places(case_of(domain_text(more)), 0.005)) out.push_back(remark.label);
+  const Case c = case_of(domain_text(more));
+  for (const Remark& remark : remarks_on_places(c, build_walls(c), 0.005)) out.push_back(remark.label);
   return out;
 }
 
@@ -116,7 +118,7 @@ TEST(Jumps, AWallThatGoesFartherThanARadiusInAStepIsNamed) {
         case_of(domain_text(wall("type = \"plate\"\ncorner = [-0.1, -0.1, 0]\nedge_a = [0, 0.2, 0]\n"
                                  "edge_b = [0, 0, 0.02]\nmotion = " +
                                  motion)));
-    return remarks_on_jumps(c, 1e-4, 0.005);
+    return remarks_on_jumps(c, build_walls(c), 1e-4, 0.005);
   };
   EXPECT_TRUE(jumps("{ type = \"velocity\", velocity = [49, 0, 0] }").empty());
   EXPECT_EQ(jumps("{ type = \"velocity\", velocity = [51, 0, 0] }").size(), 1u);

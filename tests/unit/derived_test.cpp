@@ -96,7 +96,7 @@ TEST(Derived, ShortestLinearContactIsWithTheWall) {
   EXPECT_NE(d.step.shortest.find("'small'"), std::string::npos) << d.step.shortest;
   EXPECT_NE(d.step.shortest.find("wall 'floor'"), std::string::npos) << d.step.shortest;
   EXPECT_EQ(d.step.steps, std::ceil(1 / d.step.time_step));
-  EXPECT_EQ(time_step_of(c, build_materials(c), body_kinds(c)), d.step.time_step);
+  EXPECT_EQ(time_step_of(c, build_materials(c), body_kinds(c), build_walls(c)), d.step.time_step);
   c.walls.clear();
   EXPECT_NEAR(derive(c).step.contact_time, 8.230490105296017e-05, 1e-16);
 }
@@ -133,10 +133,10 @@ TEST(Derived, FewStepsAreRefusedOrWarnedOf) {
   const double contact = derive(c).step.contact_time;
   const Materials materials = build_materials(c);
   c.simulation.time_step = contact / 9.9;
-  EXPECT_THROW(time_step_of(c, materials, body_kinds(c)), InputError);
+  EXPECT_THROW(time_step_of(c, materials, body_kinds(c), build_walls(c)), InputError);
   EXPECT_NE(check_report(c, derive(c)).find("refused  steps per contact"), std::string::npos);
   c.simulation.time_step = contact / 12;
-  EXPECT_EQ(time_step_of(c, materials, body_kinds(c)), contact / 12);
+  EXPECT_EQ(time_step_of(c, materials, body_kinds(c), build_walls(c)), contact / 12);
   EXPECT_NE(check_report(c, derive(c)).find("warning  steps per contact"), std::string::npos);
   c.simulation.time_step = contact / 15.1;
   EXPECT_NE(check_report(c, derive(c)).find("ok       steps per contact"), std::string::npos);
@@ -144,7 +144,7 @@ TEST(Derived, FewStepsAreRefusedOrWarnedOf) {
   c.walls.clear();
   c.particles.resize(1);
   c.particles[0].positions.resize(1);
-  EXPECT_THROW(time_step_of(c, materials, body_kinds(c)), InputError);
+  EXPECT_THROW(time_step_of(c, materials, body_kinds(c), build_walls(c)), InputError);
   EXPECT_NE(check_report(c, derive(c)).find("refused  time step"), std::string::npos);
 }
 
@@ -152,7 +152,9 @@ TEST(Derived, MoreStepsThanCanBeCountedAreRefusedWithTheirPlace) {
   const std::string text =
       "[simulation]\nend = 1e15\n[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n[[materials]]\nname = \"a\"\n"
       "density = 2500\nstiffness = 1e5\n[[particles]]\nmaterial = \"a\"\ndiameter = 0.01\ncount = 8\n";
-  const auto time_step = [](const Case& c) { return time_step_of(c, build_materials(c), body_kinds(c)); };
+  const auto time_step = [](const Case& c) {
+    return time_step_of(c, build_materials(c), body_kinds(c), build_walls(c));
+  };
   const Case c = parse_case(text, "case.toml");
   try {
     time_step(c);
@@ -190,27 +192,27 @@ TEST(Derived, TopSpeed) {
   c.simulation.top_speed.reset();
   c.particles[0].velocity.value = {3, 0, 0};
   c.particles[1].velocity.value = {0, -4, 0};
-  EXPECT_DOUBLE_EQ(top_speed(c, body_kinds(c)).value, 5);  // of each other; 4 against the wall
+  EXPECT_DOUBLE_EQ(top_speed(c, body_kinds(c), build_walls(c)).value, 5);  // of each other; 4 against the wall
   c.particles[1].velocity.type = "random";
   c.particles[1].velocity.deviation = 0.5;
-  EXPECT_DOUBLE_EQ(top_speed(c, body_kinds(c)).value, 7);
+  EXPECT_DOUBLE_EQ(top_speed(c, body_kinds(c), build_walls(c)).value, 7);
   c.gravity.type = "uniform";
   c.gravity.acceleration = {0, 0, -10};
-  EXPECT_DOUBLE_EQ(top_speed(c, body_kinds(c)).value, std::sqrt(49 + 2 * 10 * 0.1));
+  EXPECT_DOUBLE_EQ(top_speed(c, body_kinds(c), build_walls(c)).value, std::sqrt(49 + 2 * 10 * 0.1));
   c.flow.type = "still";
   c.flow.drag = "stokes";
   c.flow.viscosity = 10;  // terminal speed of the large ones 2500 * 16e-6 / 180 * 10 = 0.00222
-  EXPECT_NEAR(top_speed(c, body_kinds(c)).value, 7 + 2500 * 16e-6 / 18, 1e-9);
+  EXPECT_NEAR(top_speed(c, body_kinds(c), build_walls(c)).value, 7 + 2500 * 16e-6 / 18, 1e-9);
   c = linear_case();
   c.simulation.top_speed.reset();
   c.flow.type = "taylor_green";
   c.flow.drag = "stokes";
   c.flow.viscosity = 1e-5;
   c.flow.amplitude = 3;
-  EXPECT_DOUBLE_EQ(top_speed(c, body_kinds(c)).value, 6);
+  EXPECT_DOUBLE_EQ(top_speed(c, body_kinds(c), build_walls(c)).value, 6);
   c.gravity.type = "rotating";
   c.gravity.angular_velocity = {0, 0, 10};
-  EXPECT_NEAR(top_speed(c, body_kinds(c)).value, 6 + 10 * 0.1 * std::sqrt(2), 1e-12);
+  EXPECT_NEAR(top_speed(c, body_kinds(c), build_walls(c)).value, 6 + 10 * 0.1 * std::sqrt(2), 1e-12);
 }
 
 bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -223,14 +225,14 @@ TEST(Derived, TopSpeedWithBuoyancyAndPeriods) {
   c.flow.type = "still";
   c.flow.density = 10000;  // four times the particles': they rise with 3 g
   c.flow.buoyancy = true;
-  EXPECT_DOUBLE_EQ(top_speed(c, body_kinds(c)).value, std::sqrt(2 * 30 * 0.1));
-  EXPECT_TRUE(says(top_speed(c, body_kinds(c)).source, "a fall through the domain"));
+  EXPECT_DOUBLE_EQ(top_speed(c, body_kinds(c), build_walls(c)).value, std::sqrt(2 * 30 * 0.1));
+  EXPECT_TRUE(says(top_speed(c, body_kinds(c), build_walls(c)).source, "a fall through the domain"));
   c.domain.periodic = {false, false, true};
-  EXPECT_TRUE(says(top_speed(c, body_kinds(c)).source, "one period"));
+  EXPECT_TRUE(says(top_speed(c, body_kinds(c), build_walls(c)).source, "one period"));
   c.flow.drag = "stokes";
   c.flow.viscosity = 1e-3;  // terminal speed 30 * 2500 * 16e-6 / (18 * 1e-3), more than a fall of one period gives
-  EXPECT_NEAR(top_speed(c, body_kinds(c)).value, 30 * 2500 * 16e-6 / 18e-3, 1e-9);
-  EXPECT_TRUE(says(top_speed(c, body_kinds(c)).source, "Stokes"));
+  EXPECT_NEAR(top_speed(c, body_kinds(c), build_walls(c)).value, 30 * 2500 * 16e-6 / 18e-3, 1e-9);
+  EXPECT_TRUE(says(top_speed(c, body_kinds(c), build_walls(c)).source, "Stokes"));
 }
 
 TEST(Derived, BuoyancyIsTold) {

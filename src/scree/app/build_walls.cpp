@@ -52,8 +52,7 @@ void add_round(std::vector<sc_wall>& faces, const WallKeys& keys) {
   }
 }
 
-}  // namespace
-
+/// The surface of a wall of type 'triangles' or 'mesh', in metres. Throws InputError if the file cannot be read.
 Mesh mesh_of(const WallKeys& keys) {
   if (keys.type == "mesh") {
     Mesh mesh = read_mesh(keys.file);
@@ -69,8 +68,6 @@ Mesh mesh_of(const WallKeys& keys) {
   return weld(loose);
 }
 
-namespace {
-
 void add_triangles(std::vector<sc_wall>& faces, const Mesh& mesh) {
   for (const auto& [a, b, c] : mesh.triangles) {
     sc_wall face = sc_wall_of(SC_WALL_TRIANGLE);
@@ -84,7 +81,7 @@ void add_triangles(std::vector<sc_wall>& faces, const Mesh& mesh) {
   }
 }
 
-std::vector<sc_wall> faces_of(const WallKeys& keys) {
+std::vector<sc_wall> faces_of(const WallKeys& keys, std::vector<MeshReport>* reports) {
   std::vector<sc_wall> faces;
   if (keys.type == "plane") {
     const sc_vec normal = vec_of(keys.normal);
@@ -98,7 +95,9 @@ std::vector<sc_wall> faces_of(const WallKeys& keys) {
   } else if (keys.type == "box") {
     add_box(faces, keys.min, keys.max);
   } else if (keys.type == "triangles" || keys.type == "mesh") {
-    add_triangles(faces, mesh_of(keys));
+    const Mesh mesh = mesh_of(keys);
+    if (reports) reports->push_back(report_mesh(mesh));
+    add_triangles(faces, mesh);
   } else {
     add_round(faces, keys);
   }
@@ -107,13 +106,13 @@ std::vector<sc_wall> faces_of(const WallKeys& keys) {
 
 }  // namespace
 
-Walls build_walls(const Case& c) {
+Walls build_walls(const Case& c, std::vector<MeshReport>* reports) {
   Walls walls;
   for (const WallKeys& keys : c.walls) {
     const std::int32_t body = static_cast<std::int32_t>(walls.names.size());
     const int material = material_index(c, keys.material);
     walls.names.push_back(keys.name);
-    for (sc_wall face : faces_of(keys)) {
+    for (sc_wall face : faces_of(keys, reports)) {
       face.body = body;
       face.material = material;
       walls.faces.push_back(face);

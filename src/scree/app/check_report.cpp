@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "scree/app/build_walls.h"
 #include "scree/app/derived.h"
 #include "scree/app/formula_check.h"
 #include "scree/app/idle_keys.h"
@@ -51,7 +50,7 @@ std::string grouped(double whole) {
 void say_shape(const ParticleKeys& keys, double diameter, Lines& lines) {
   if (keys.shape == "sphere" || keys.insert == "checkpoint") return;
   const auto [e1, e2] = std::pair(keys.exponents[0], keys.exponents[1]);
-  const Form form = make_form(keys.half_axes, e1, e2);
+  const Form form = make_form(keys.shape, keys.half_axes, e1, e2);
   const double radius = 0.5 * diameter / form.equivalent_radius;
   const double volume = sphere_volume(diameter);
   Axes axes = form.half_axes(), inertia = form.inertia;
@@ -59,11 +58,11 @@ void say_shape(const ParticleKeys& keys, double diameter, Lines& lines) {
     axes[k] *= radius;
     inertia[k] *= radius * radius;
   }
-  const double surface = superellipsoid_surface(axes, e1, e2);
+  const double surface = surface_of(form) * radius * radius;
+  const std::string what =
+      form.other() ? std::string(form.shape_name()) : fmt::format("exponents {:g} and {:g}", e1, e2);
   lines.push_back(
-      {"",
-       fmt::format("half axes {:.4g}, {:.4g}, {:.4g} m, exponents {:g} and {:g}", axes[0], axes[1], axes[2], e1, e2),
-       Verdict::none, ""});
+      {"", fmt::format("half axes {:.4g}, {:.4g}, {:.4g} m, {}", axes[0], axes[1], axes[2], what), Verdict::none, ""});
   lines.push_back({"",
                    fmt::format("volume {:.4g} m3, surface {:.4g} m2, sphericity {:.4g}", volume, surface,
                                sphericity(volume, surface)),
@@ -211,7 +210,7 @@ void say_places(const Case& c, const Derived& d, Lines& lines) {
     smallest = std::min(smallest, 0.5 * kind.smallest);
   }
   for (const std::vector<Remark>& remarks :
-       {remarks_on_places(c, reach), remarks_on_jumps(c, d.step.time_step, smallest)})
+       {remarks_on_places(c, d.walls, reach), remarks_on_jumps(c, d.walls, d.step.time_step, smallest)})
     for (const Remark& remark : remarks)
       lines.push_back({remark.label, remark.finding, Verdict::warning, remark.remedy});
 }
@@ -226,10 +225,11 @@ void say_formulas(const Case& c, Lines& lines) {
 }
 
 /// Whether the meshes are closed, and what is unusual in them.
-void say_meshes(const Case& c, Lines& lines) {
+void say_meshes(const Case& c, const Derived& d, Lines& lines) {
+  auto mesh = d.meshes.begin();
   for (const WallKeys& wall : c.walls) {
     if (wall.type != "mesh" && wall.type != "triangles") continue;
-    const MeshReport report = report_mesh(mesh_of(wall));
+    const MeshReport& report = *mesh++;
     const bool faulty = report.crowded_edges + report.degenerate + report.duplicate > 0;
     std::string label = fmt::format("wall '{}'", wall.name);
     std::istringstream text(describe(report));
@@ -333,7 +333,7 @@ Lines all_lines(const Case& c, const Derived& d, const std::optional<OutputPlace
   say_step(c, d.step, lines);
   say_idle(c, lines);
   say_boundaries(c, d, lines);
-  say_meshes(c, lines);
+  say_meshes(c, d, lines);
   say_places(c, d, lines);
   say_formulas(c, lines);
   say_fluid(c, d, lines);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scree/app/build_materials.h"
+#include "scree/app/build_walls.h"
 #include "scree/app/encounters.h"
 #include "scree/app/speed_estimate.h"
 #include "scree/base/error.h"
@@ -82,9 +83,10 @@ void derive_soft_step(const Case& c, const Materials& materials, const std::vect
   out.steps_per_contact = out.contact_time / out.time_step;
 }
 
-DerivedStep derive_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds) {
+DerivedStep derive_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds,
+                        const Walls& walls) {
   DerivedStep out;
-  const TopSpeed top = top_speed(c, kinds);
+  const TopSpeed top = top_speed(c, kinds, walls);
   out.top_speed = top.value;
   out.top_speed_source = top.source;
   out.fastest_wall = top.wall;
@@ -164,7 +166,7 @@ double expected_pairs(const Case& c, double solid_fraction) {
   return 4 * packed * 1.3 * 1.3 * 1.3;
 }
 
-DerivedCost derive_cost(const Case& c, const std::vector<BodyKind>& kinds, double steps) {
+DerivedCost derive_cost(const Case& c, const std::vector<BodyKind>& kinds, const Walls& walls, double steps) {
   DerivedCost out;
   double volume = 0;
   for (const BodyKind& kind : kinds) {
@@ -177,7 +179,7 @@ DerivedCost derive_cost(const Case& c, const std::vector<BodyKind>& kinds, doubl
   out.bytes_per_pair = static_cast<double>(bytes_per_pair(remembers_rolling(c), has_shapes(c)));
   out.pairs_per_particle = expected_pairs(c, out.solid_fraction);
   out.memory = n * (out.bytes_per_particle + out.pairs_per_particle * out.bytes_per_pair);
-  add_output_cost(c, steps, out);
+  add_output_cost(c, walls, steps, out);
   return out;
 }
 
@@ -192,17 +194,18 @@ Derived derive(const Case& c) {
   const Materials materials = build_materials(c);
   Derived out;
   out.kinds = body_kinds(c);
-  out.step = derive_step(c, materials, out.kinds);
+  out.walls = build_walls(c, &out.meshes);
+  out.step = derive_step(c, materials, out.kinds, out.walls);
   out.fluid = derive_fluid(c, out.kinds, out.step.top_speed);
   out.lift = derive_lift(c, out.kinds);
   out.jumps = periodic_jumps(c);
   out.cohesion = derive_cohesion(c, materials, out.kinds, typical_speed(out.fluid, out.step));
-  out.cost = derive_cost(c, out.kinds, out.step.steps);
+  out.cost = derive_cost(c, out.kinds, out.walls, out.step.steps);
   return out;
 }
 
-double time_step_of(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds) {
-  const DerivedStep step = derive_step(c, materials, kinds);
+double time_step_of(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds, const Walls& walls) {
+  const DerivedStep step = derive_step(c, materials, kinds, walls);
   if (std::isnan(step.time_step))
     throw InputError(std::string("simulation.time_step: \"auto\" has no ") +
                      (is_hard(c) ? "speed to go by, as nothing moves in this case\n"

@@ -12,7 +12,9 @@
 #include "scree/app/periodic_jumps.h"
 #include "scree/app/sticking.h"
 #include "scree/data/materials.h"
+#include "scree/data/walls.h"
 #include "scree/input/case.h"
+#include "scree/input/mesh_report.h"
 
 namespace scree {
 
@@ -89,6 +91,8 @@ struct DerivedCost {
 
 struct Derived {
   std::vector<BodyKind> kinds;
+  Walls walls;
+  std::vector<MeshReport> meshes;  // of walls that are surfaces of triangles
   DerivedStep step;
   DerivedFluid fluid;
   std::vector<DerivedLift> lift;  // of every material of free particles; empty without weight or fluid
@@ -106,7 +110,7 @@ Derived derive(const Case& c);
 /// nothing is known to move, the step is a fifth of the Rayleigh time.
 /// Throws InputError when a contact would take fewer than ten steps, when the run would take more than `most_steps`
 /// (input/checks.h), or when "auto" has no contact to go by.
-double time_step_of(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds);
+double time_step_of(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds, const Walls& walls);
 
 /// The impact that the stickiness number of the case is about: two particles of mean volume of the most numerous kind
 /// (see typical_encounter). Empty without linear cohesion.
@@ -123,7 +127,7 @@ struct OutputPlace {
 std::optional<OutputPlace> output_place(const std::string& directory);
 
 /// Adds to `cost` what a run of so many steps writes.
-void add_output_cost(const Case& c, double steps, DerivedCost& cost);
+void add_output_cost(const Case& c, const Walls& walls, double steps, DerivedCost& cost);
 
 /// The text of `scree check`: every number with a verdict (ok, warning, refused) and a remedy where it is not ok.
 /// `refusal` is why the initial state cannot be built, if it cannot; `place` is where results would go, if known.

@@ -4,7 +4,6 @@
 
 #include "scree/analysis/averages.h"
 #include "scree/app/build.h"
-#include "scree/app/build_walls.h"
 #include "scree/app/columns.h"
 #include "scree/app/contact_fields.h"
 #include "scree/app/derived.h"
@@ -57,11 +56,16 @@ void add_average_cost(const Case& c, DerivedCost& cost) {
   }
 }
 
+/// Whether some group is of a shape that is no superellipsoid.
+bool has_other_shapes(const Case& c) {
+  return std::ranges::any_of(c.particles, [](const ParticleKeys& p) { return other_shape(p.shape) != nullptr; });
+}
+
 /// Whether the motion takes the wall to other places.
 bool goes_places(const WallKeys& wall) { return wall.motion.type != "none" && wall.motion.type != "surface"; }
 
 /// The files of the walls. In the worst case they are all in every file: which parts change shows only in the run.
-void add_wall_cost(const Case& c, DerivedCost& cost) {
+void add_wall_cost(const Case& c, Walls walls, DerivedCost& cost) {
   if (c.walls.empty()) return;
   const double end = c.simulation.end;
   double first = end, last = 0;  // of all motions [s]
@@ -77,7 +81,6 @@ void add_wall_cost(const Case& c, DerivedCost& cost) {
   const std::uint64_t moved = last > first ? times(last, interval) - times(first, interval) + 1 : 0;
   cost.wall_files = std::min(cost.frames, topologies + moved);
   topologies = std::min(cost.frames, topologies);
-  Walls walls = build_walls(c);
   for (sc_wall_pose& pose : walls.poses) pose.present = 1;
   const WallSurface surface = wall_surface(walls, build_domain(c));
   const double points = static_cast<double>(surface.points.size() * sizeof(double));
@@ -88,16 +91,16 @@ void add_wall_cost(const Case& c, DerivedCost& cost) {
 
 }  // namespace
 
-void add_output_cost(const Case& c, double steps, DerivedCost& cost) {
+void add_output_cost(const Case& c, const Walls& walls, double steps, DerivedCost& cost) {
   const OutputKeys& output = c.output;
   const double end = c.simulation.end, n = static_cast<double>(cost.particles);
   const bool moves = steps > 0;
   cost.frames = !moves ? 1 : output.frames > 0 ? times(end, output.frames) + 1 : 2;
   cost.rows = !moves ? 1 : output.series > 0 ? times(end, output.series) + 1 : 201;
   cost.checkpoints = output.checkpoints > 0 ? std::max<std::uint64_t>(1, times(end, output.checkpoints)) : 1;
-  cost.frame_bytes =
-      n * static_cast<double>(frame_bytes_per_particle(output, {c.analysis.agglomerates, has_shapes(c)})) +
-      bytes_per_frame_file;
+  cost.frame_bytes = n * static_cast<double>(frame_bytes_per_particle(
+                             output, {c.analysis.agglomerates, has_shapes(c), has_other_shapes(c)})) +
+                     bytes_per_frame_file;
   cost.row_bytes =
       bytes_per_number * static_cast<double>(series_columns(c).size() + output.tracks.size() * track_columns().size());
   const double per_contact = bytes_per_contact + (has_shapes(c) ? pair_scratch * sizeof(double) : 0);
@@ -107,7 +110,7 @@ void add_output_cost(const Case& c, double steps, DerivedCost& cost) {
     cost.contact_bytes =
         n * cost.pairs_per_particle * static_cast<double>(file_bytes_per_contact()) + bytes_per_frame_file;
   add_average_cost(c, cost);
-  add_wall_cost(c, cost);
+  add_wall_cost(c, walls, cost);
   cost.disk =
       static_cast<double>(cost.frames) * (cost.frame_bytes + cost.contact_bytes) + cost.average_bytes +
       cost.wall_bytes + static_cast<double>(cost.rows) * cost.row_bytes +

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "scree/app/build.h"
-#include "scree/app/build_walls.h"
 #include "scree/app/vec3.h"
 #include "scree/app/wall_motion.h"
 #include "scree/app/wall_surface.h"
@@ -95,8 +94,7 @@ std::string remedy_for(const WallKeys& wall, double size, double domain_size) {
   return "look at its place and size, or enlarge [domain]";
 }
 
-void remark_on_walls(const Case& c, double reach, std::vector<Remark>& out) {
-  Walls walls = build_walls(c);
+void remark_on_walls(const Case& c, Walls walls, double reach, std::vector<Remark>& out) {
   const Domain domain = widened(build_domain(c), reach);
   const double domain_size = size_of(vec_of(c.domain.min), vec_of(c.domain.max));
   std::vector<WallMotion> motions = build_wall_motions(c, walls, build_domain(c));
@@ -147,9 +145,9 @@ void remark_on_boxes(const Case& c, const std::vector<Keys>& list, const char* w
 
 }  // namespace
 
-std::vector<Remark> remarks_on_places(const Case& c, double reach) {
+std::vector<Remark> remarks_on_places(const Case& c, const Walls& walls, double reach) {
   std::vector<Remark> out;
-  remark_on_walls(c, reach, out);
+  remark_on_walls(c, walls, reach, out);
   for (const OutletKeys& outlet : c.outlets)
     if (outlet.type == "region" && apart(c, outlet.min, outlet.max))
       out.push_back({fmt::format("outlet '{}'", outlet.name), "lies outside the domain and takes no particle",

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "scree/data/walls.h"
 #include "scree/input/case.h"
 
 namespace scree {
@@ -16,6 +17,7 @@ struct Remark {
 
 /// Walls that no particle in the domain can touch, up to `reach` [m] from its centre, at any time of the run; meshes
 /// out of all proportion to the domain; outlets, planes, averages, surfaces and regions that lie wholly outside it.
-std::vector<Remark> remarks_on_places(const Case& c, double reach);
+/// `walls` are those of the case.
+std::vector<Remark> remarks_on_places(const Case& c, const Walls& walls, double reach);
 
 }  // namespace scree

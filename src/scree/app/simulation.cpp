@@ -27,7 +27,7 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const R
   std::optional<Particles> saved;
   if (resumed) saved = particles_of(*resumed);
   const std::vector<BodyKind> kinds = body_kinds(c, saved ? &*saved : nullptr);
-  clock_.dt = resumed && takes_over(c) ? resumed->number("time_step") : time_step_of(c, system_.materials, kinds);
+  clock_.dt = resumed && takes_over(c) ? resumed->number("time_step") : time_step_of(c, system_.materials, kinds, system_.walls);
   typical_impact_ = scree::typical_impact(c, system_.materials, kinds);
   sample_.with_contact_forces = c.output.contacts || !c.analysis.averages.empty();
   if (!resumed) settle();

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "scree/app/build.h"
-#include "scree/app/build_walls.h"
 #include "scree/app/field_samples.h"
 #include "scree/app/wall_motion.h"
 #include "scree/base/expression.h"
@@ -102,11 +101,11 @@ double fastest_at_start(const Case& c, const std::vector<BodyKind>& kinds) {
 }
 
 /// The fastest that a wall of the case gets, and its name.
-TopSpeed fastest_wall(const Case& c) {
+TopSpeed fastest_wall(const Case& c, const Walls& walls) {
   const auto moves = [](const WallKeys& wall) { return wall.motion.type != "none"; };
   if (std::none_of(c.walls.begin(), c.walls.end(), moves)) return {};
   TopSpeed fastest;
-  for (WallMotion& motion : build_wall_motions(c, build_walls(c), build_domain(c))) {
+  for (WallMotion& motion : build_wall_motions(c, walls, build_domain(c))) {
     const double speed = fastest_speed(motion, c.simulation.end);
     if (speed > fastest.value) fastest = {speed, "", motion.wall};
   }
@@ -164,13 +163,13 @@ double relaxation_time(const Case& c, double density, double diameter) {
   return 1 / sc_drag_rate(SC_DRAG_STOKES, 0.0, diameter, 1 / mass, c.flow.density, c.flow.viscosity);
 }
 
-TopSpeed top_speed(const Case& c, const std::vector<BodyKind>& kinds) {
+TopSpeed top_speed(const Case& c, const std::vector<BodyKind>& kinds, const Walls& walls) {
   if (c.simulation.top_speed) return {*c.simulation.top_speed, "simulation.top_speed", ""};
   TopSpeed top{fastest_at_start(c, kinds), "the start", ""};
   const double flow = c.flow.drag == "none" ? 0.0 : flow_speeds(c).fastest;
   if (flow > top.value) top = {flow, "the fastest flow", ""};
   top = after_fall(c, kinds, top);
-  const TopSpeed wall = fastest_wall(c);
+  const TopSpeed wall = fastest_wall(c, walls);
   if (wall.value > 0)
     top = {top.value + wall.value,
            fmt::format("walls that move at up to {:.4g} m/s, added to {}", wall.value, top.source), wall.wall};

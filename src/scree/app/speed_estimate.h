@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scree/app/body_kinds.h"
+#include "scree/data/walls.h"
 #include "scree/input/case.h"
 
 namespace scree {
@@ -32,7 +33,7 @@ struct TopSpeed {
 /// force, the speed v of the start increased by a fall through the domain, sqrt(v^2 + 2 sum |g_k| L_k), of which drag
 /// leaves at most v plus the terminal speed of Stokes for the largest particle. Along a periodic axis the fall has no
 /// end: drag decides, or without it one period counts. Buoyancy counts where it is on. A rotating frame adds the speed
-/// of its farthest corner, walls that move the speed of the fastest of them.
-TopSpeed top_speed(const Case& c, const std::vector<BodyKind>& kinds);
+/// of its farthest corner, walls that move the speed of the fastest of them; `walls` are those of the case.
+TopSpeed top_speed(const Case& c, const std::vector<BodyKind>& kinds, const Walls& walls);
 
 }  // namespace scree

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "scree/app/build.h"
-#include "scree/app/build_walls.h"
 #include "scree/app/wall_motion.h"
 
 namespace scree {
@@ -29,10 +28,9 @@ Jump steepest(WallMotion& motion, double from, double to, double dt) {
 
 }  // namespace
 
-std::vector<Remark> remarks_on_jumps(const Case& c, double dt, double radius) {
+std::vector<Remark> remarks_on_jumps(const Case& c, const Walls& walls, double dt, double radius) {
   std::vector<Remark> out;
   if (!(dt > 0) || !(radius > 0)) return out;
-  const Walls walls = build_walls(c);
   const double end = c.simulation.end;
   const int samples = static_cast<int>(std::clamp(end / dt, 1.0, 2000.0));
   for (WallMotion& motion : build_wall_motions(c, walls, build_domain(c))) {
