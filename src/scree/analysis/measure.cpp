@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scree/base/exact_sum.h"
+#include "scree/mpi/together.h"
 #include "scree/particles/holdings.h"
 
 namespace scree {
@@ -15,11 +16,13 @@ struct Sums {
   ExactSum loss[4], work[4];  // by lane, as the particles keep them
   ExactVectorSum momentum, impulse, angular, angular_impulse;
 
-  /// Begins with the accounts of those that are gone.
-  explicit Sums(const Passage& passage) : impulse(passage.impulse), angular_impulse(passage.angular_impulse) {
+  /// The accounts of those that are gone.
+  void add_gone(const Passage& passage) {
+    impulse.add(passage.impulse);
+    angular_impulse.add(passage.angular_impulse);
     for (int k = 0; k < 4; ++k) {
-      loss[k] = passage.loss[k];
-      work[k] = passage.work[k];
+      loss[k].add(passage.loss[k]);
+      work[k].add(passage.work[k]);
     }
   }
 
@@ -45,9 +48,11 @@ struct Sums {
 
 }  // namespace
 
-Measured measure(const Sample& sample, const Fields& fields, double time, const Passage& passage) {
-  Sums s(passage);
+Measured measure(const Sample& sample, const Fields& fields, double time, const Passage& passage, const Ranks& ranks) {
+  Sums s;
   for (std::size_t i = 0; i < sample.system.particles.size(); ++i) s.add_particle(sample, fields, i);
+  add_up_sums(s, ranks);
+  s.add_gone(passage);
   // Impulse of uniform gravity.
   add(s.impulse, sc_scale(s.free_mass.value() * time, fields.uniform));
   Measured out;
@@ -77,11 +82,11 @@ Measured measure(const Sample& sample, const Fields& fields, double time, const 
   return out;
 }
 
-Speeds measure_speeds(const Sample& sample) {
+Speeds measure_speeds(const Sample& sample, const Ranks& ranks) {
   const Particles& p = sample.system.particles;
   Speeds out;
   ExactSum sum;
-  std::size_t count = 0;
+  std::int64_t count = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p.motion.row(i)[lane::inverse_mass] == 0) continue;
     const double speed = sc_norm(vec_of(p.motion.row(i) + lane::vx));
@@ -89,6 +94,9 @@ Speeds measure_speeds(const Sample& sample) {
     sum.add(speed);
     ++count;
   }
+  add_up_sums(sum, ranks);
+  out.largest = ranks.largest(out.largest);
+  count = ranks.total(count);
   if (count) out.mean = sum.value() / static_cast<double>(count);
   return out;
 }
@@ -102,7 +110,7 @@ std::vector<Bond> bonds_of(const ParticleSystem& system) {
 }
 
 std::vector<std::int32_t> count_contacts(const ParticleSystem& s) {
-  std::vector<std::int32_t> count(s.particles.size(), 0);
+  std::vector<std::int32_t> count(s.particles.held(), 0);
   for (std::size_t c = 0; c < s.contacts.pairs.count; ++c) {
     if (!s.contacts.active[c]) continue;
     ++count[s.contacts.pairs.owner[c]];
@@ -111,6 +119,7 @@ std::vector<std::int32_t> count_contacts(const ParticleSystem& s) {
   for (std::size_t p = 0; p + 1 < s.wall_contacts.first.size(); ++p)
     for (std::int32_t w = s.wall_contacts.first[p]; w < s.wall_contacts.first[p + 1]; ++w)
       count[p] += s.wall_contacts.active[w] != 0;
+  count.resize(s.particles.size());
   return count;
 }
 

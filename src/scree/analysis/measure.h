@@ -18,15 +18,18 @@ struct Speeds {
 };
 
 /// Energies, momenta and exchanges since the start; exact sums, so they do not depend on threads. `time` is the time
-/// since the start of the run [s]; `passage` holds what came and went until then.
-Measured measure(const Sample& sample, const Fields& fields, double time, const Passage& passage = {});
+/// since the start of the run [s]; `passage` holds what came and went until then. Of several ranks all call it with
+/// their own sample, and the root, which has the passage, gets the result.
+Measured measure(const Sample& sample, const Fields& fields, double time, const Passage& passage = {},
+                 const Ranks& ranks = {});
 
-Speeds measure_speeds(const Sample& sample);
+/// Likewise.
+Speeds measure_speeds(const Sample& sample, const Ranks& ranks = {});
 
 /// The pairs that belong together: bodies in contact, or effect surfaces that overlap.
 std::vector<Bond> bonds_of(const ParticleSystem& system);
 
-/// Particles and wall faces in touch with each particle, by its place.
+/// Particles and wall faces in touch with each particle, by its place; of several ranks, with each of its own.
 std::vector<std::int32_t> count_contacts(const ParticleSystem& system);
 
 }  // namespace scree

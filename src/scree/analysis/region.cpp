@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "scree/base/exact_sum.h"
+#include "scree/mpi/together.h"
 #include "scree/particles/shapes.h"
 #include "scree/particles/sizes.h"
 
@@ -102,7 +103,8 @@ FormCones cut_into_cones(const sc_form& form) {
   return out;
 }
 
-double solid_fraction(const Region& region, const Particles& particles, const Forms& forms, const Domain& domain) {
+double solid_fraction(const Region& region, const Particles& particles, const Forms& forms, const Domain& domain,
+                      const Ranks& ranks) {
   Cutter cutter(region, forms);
   ExactSum sum;
   const auto images = [&](int axis) { return domain.periodic[axis] ? 1 : 0; };
@@ -116,12 +118,14 @@ double solid_fraction(const Region& region, const Particles& particles, const Fo
               particles, i, {m[0] + a * domain.period(0), m[1] + b * domain.period(1), m[2] + c * domain.period(2)});
     if (share > 0) sum.add(share * sphere_volume(2 * particles.radius_by_volume(i)));
   }
+  add_up_sums(sum, ranks);
   double volume = 1;
   for (int k = 0; k < 3; ++k) volume *= region.max[k] - region.min[k];
   return sum.value() / volume;
 }
 
-double coordination_number(const Region& region, const Particles& particles, std::span<const std::int32_t> contacts) {
+double coordination_number(const Region& region, const Particles& particles, std::span<const std::int32_t> contacts,
+                           const Ranks& ranks) {
   std::int64_t there = 0, sum = 0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double* m = particles.motion.row(i);
@@ -131,6 +135,8 @@ double coordination_number(const Region& region, const Particles& particles, std
     ++there;
     sum += contacts[i];
   }
+  there = ranks.total(there);
+  sum = ranks.total(sum);
   return there > 0 ? static_cast<double>(sum) / static_cast<double>(there) : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -9,6 +9,7 @@
 #include "scree/data/domain.h"
 #include "scree/data/forms.h"
 #include "scree/data/particles.h"
+#include "scree/mpi/ranks.h"
 
 namespace scree {
 
@@ -28,11 +29,14 @@ struct FormCones {
 FormCones cut_into_cones(const sc_form& form);
 
 /// Volume of the particles in a box over that of the box, of those across its faces what is inside, bodies of infinite
-/// mass among them; where bodies overlap both count. An exact sum over the particles: the same bits in any order.
-double solid_fraction(const Region& region, const Particles& particles, const Forms& forms, const Domain& domain);
+/// mass among them; where bodies overlap both count. An exact sum over the particles: the same bits in any order. Of
+/// several ranks all call it with their own particles, and the root gets the result.
+double solid_fraction(const Region& region, const Particles& particles, const Forms& forms, const Domain& domain,
+                      const Ranks& ranks = {});
 
 /// Mean number of contacts, `contacts` by the place of a particle, of those of finite mass whose centre is in the box;
-/// NaN if there is none.
-double coordination_number(const Region& region, const Particles& particles, std::span<const std::int32_t> contacts);
+/// NaN if there is none. Likewise with several ranks.
+double coordination_number(const Region& region, const Particles& particles, std::span<const std::int32_t> contacts,
+                           const Ranks& ranks = {});
 
 }  // namespace scree

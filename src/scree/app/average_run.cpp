@@ -64,7 +64,7 @@ void AverageRun::look(Simulation& simulation) {
   const Clock& clock = simulation.clock();
   if (clock.step < sample_due_ && clock.step < window_due_) return;
   if (clock.step >= sample_due_) {
-    const Sample& sample = simulation.sample();
+    const Sample& sample = simulation.whole_sample();
     const Stopwatch watch(simulation.stages(), "averages");
     add_sample(averages_, sample);
     end_ = clock.now();

@@ -1,83 +1,67 @@
 // Saving a simulation, continuing it, and the hash that tells whether two are the same to the last bit.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "scree/app/simulation.h"
 #include "scree/app/take_over.h"
 #include "scree/base/error.h"
-#include "scree/base/hash.h"
 #include "scree/particles/keyed_contacts.h"
+#include "scree/particles/migration.h"
 
 namespace scree {
-namespace {
-
-/// -0 and 0 are the same state.
-double plain(double x) { return x + 0.0; }
-
-}  // namespace
 
 std::string Simulation::state_hash() {
-  const ParticleSystem& system = whole();
-  Sha256 hash;
-  const auto add = [&hash](const double* x, int count) {
-    for (int k = 0; k < count; ++k) {
-      const double value = plain(x[k]);
-      hash.update(&value, sizeof value);
-    }
-  };
-  const double time = clock_.now();
-  add(&time, 1);
-  const Particles& p = system.particles;
-  for (const std::uint32_t i : order_by_id(p)) {
-    hash.update(&p.id[i], sizeof p.id[i]);
-    add(p.motion.row(i), 8);
-    add(p.spin.row(i), 4);
-    if (!p.shaped()) continue;
-    hash.update(&p.form[i], sizeof p.form[i]);
-    add(p.orientation.row(i), 4);
-    add(p.angular_momentum.row(i), 3);  // the way of the surface serves the lists, which change nothing
-  }
-  const KeyedContacts pairs = keyed_pairs(system);
-  hash.update(pairs.ids.data(), pairs.ids.size() * sizeof(std::int64_t));
-  add(pairs.memory.data(), static_cast<int>(pairs.memory.size()));
-  add(pairs.shape.data(), static_cast<int>(pairs.shape.size()));
-  const KeyedContacts walls = keyed_walls(system);
-  hash.update(walls.ids.data(), walls.ids.size() * sizeof(std::int64_t));
-  add(walls.memory.data(), static_cast<int>(walls.memory.size()));
-  add(walls.shape.data(), static_cast<int>(walls.shape.size()));
-  return hash.hex();
+  if (is_on_device()) whole();
+  call(Call::hash);
+  return hash_share();
 }
 
-Archive Simulation::save() {
-  const ParticleSystem& system = whole();
-  Archive out;
-  out.set("step", clock_.step);
-  out.set("time", clock_.now());
-  out.set("time_step", clock_.dt);
-  out.set("contact_evaluations", tally_.contacts);
-  out.set("wall_contact_evaluations", tally_.wall_contacts);
-  out.set("impacts", tally_.impacts);
-  out.set("impact_speed", tally_.impact_speed);
-  Particles p = system.particles;
-  p.permute(order_by_id(p));
-  save_forms(system.forms, out);
-  out.set("particles", static_cast<std::int64_t>(p.size()));
-  out.set("groups", group_names(case_));
-  p.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
-    if (saved) out.put(std::string(name), std::move(column.values), column.components);
-  });
-  KeyedContacts pairs = keyed_pairs(system);
-  out.put("pair_ids", std::move(pairs.ids), 2);
-  out.put("pair_memory", std::move(pairs.memory), 9);
-  if (p.shaped()) out.put("pair_shape", std::move(pairs.shape), pair_scratch);
-  KeyedContacts walls = keyed_walls(system);
-  out.put("wall_ids", std::move(walls.ids), 2);
-  out.put("wall_memory", std::move(walls.memory), 9);
-  out.put("wall_couple", std::move(walls.couple), 3);
-  if (p.shaped()) out.put("wall_shape", std::move(walls.shape), wall_scratch);
-  exchange_.save(out);
+std::string Simulation::hash_share() { return hash_of(save_share(), clock_.now(), ranks_); }
+
+/// This rank's part of the present state.
+StateShare Simulation::share() {
+  if (is_on_device()) whole();
+  if (!ranks_.alone()) {
+    move_walls(clock_.now());
+    refresh_neighbours();
+  }
+  const Stopwatch watch(stages_, "gathering");
+  const ParticleSystem& system = is_on_device() ? whole_ : system_;
+  StateShare out = share_of(system);
+  out.head.set("step", clock_.step);
+  out.head.set("time", clock_.now());
+  out.head.set("time_step", clock_.dt);
+  out.head.set("contact_evaluations", tally_.contacts);
+  out.head.set("wall_contact_evaluations", tally_.wall_contacts);
+  out.head.set("impacts", tally_.impacts);
+  out.head.set("impact_speed", tally_.impact_speed);
+  out.head.set("groups", group_names(case_));
+  save_forms(system.forms, out.head);
+  exchange_.save(out.head);
   return out;
+}
+
+Archive Simulation::save_share() { return archive_of(share(), ranks_); }
+
+Archive Simulation::save() {
+  if (is_on_device()) whole();
+  call(Call::save);
+  return save_share();
+}
+
+void Simulation::keep() {
+  if (is_on_device()) whole();
+  call(Call::keep);
+  kept_ = share();
+}
+
+Archive Simulation::save_kept() {
+  call(Call::save_kept);
+  return archive_of(*kept_, ranks_);
+}
+
+void Simulation::write(const std::filesystem::path& path, const Archive& archive) {
+  call(Call::write);
+  write_archive(path, archive, ranks_);
 }
 
 void Simulation::restore(const Archive& archive) {
@@ -86,32 +70,62 @@ void Simulation::restore(const Archive& archive) {
         fmt::format("{} was written with time step {} s, the case has {} s: a run continues with its own time "
                     "step",
                     archive.origin, archive.number("time_step"), clock_.dt));
-  Particles saved = particles_of(archive);
+  system_.particles = particles_of(archive, ranks_);
   exchange_.restore(archive);
   planes_.restore(case_, archive, ranks_);
   clock_.step = archive.integer("step");
   tally_ = {archive.integer("contact_evaluations"), archive.integer("wall_contact_evaluations"),
             archive.integer("impacts"), archive.integer("impact_speed")};
-  system_.particles = std::move(saved);
   system_.forms = forms_of(archive);
   if (system_.vertices) {
     for (std::size_t i = 1; i < system_.forms.size(); ++i) system_.forms[i].shape.is_sphere = 0;
     system_.vertices = make_vertices(system_.forms, system_.vertices->side, system_.vertices->spacing);
   }
-  const bool shaped = system_.particles.shaped();
-  const auto saved_contacts = [&](const std::string& of, int width) {
-    const bool couples = archive.contains(of + "_couple");
-    return SavedContacts(archive.get<std::int64_t>(of + "_ids", 2), archive.get<double>(of + "_memory", 9),
-                         couples ? archive.get<double>(of + "_couple", 3) : std::span<const double>(),
-                         shaped ? archive.get<double>(of + "_shape", width) : std::span<const double>());
-  };
-  const RowsById rows = rows_of_held(system_.particles);
-  system_.contacts = pairs_of(saved_contacts("pair", pair_scratch), rows, system_.contacts.remembers_rolling, shaped);
-  system_.wall_contacts = walls_of(saved_contacts("wall", wall_scratch), rows, system_.particles, system_.walls.size());
   lists_ = prepare_lists(system_, case_.simulation.skin);
-  findings_.fastest2 = fastest_square(system_.particles);
-  sampled_step_ = -1;
+  findings_.fastest2 = ranks_.largest(fastest_square(system_.particles));
+  sampled_step_ = whole_sampled_step_ = -1;
+  ranks_.alone() ? restore_contacts(archive) : settle(archive);
+}
+
+namespace {
+
+/// Contacts of pairs or walls as the archive has them.
+SavedContacts contacts_in(const Archive& archive, const std::string& of, std::uint64_t width, bool shaped,
+                          const Ranks& ranks) {
+  const bool couples = archive.contains(of + "_couple");
+  return SavedContacts(archive.part<std::int64_t>(of + "_ids", 2, ranks),
+                       archive.part<double>(of + "_memory", 9, ranks),
+                       couples ? archive.part<double>(of + "_couple", 3, ranks) : std::span<const double>(),
+                       shaped ? archive.part<double>(of + "_shape", width, ranks) : std::span<const double>());
+}
+
+KeyedContacts copy_of(const SavedContacts& saved) {
+  return {{saved.ids.begin(), saved.ids.end()},
+          {saved.memory.begin(), saved.memory.end()},
+          {saved.couple.begin(), saved.couple.end()},
+          {saved.shape.begin(), saved.shape.end()}};
+}
+
+}  // namespace
+
+void Simulation::restore_contacts(const Archive& archive) {
+  const bool shaped = system_.particles.shaped();
+  const RowsById rows = rows_of_held(system_.particles);
+  system_.contacts = pairs_of(contacts_in(archive, "pair", pair_scratch, shaped, ranks_), rows,
+                              system_.contacts.remembers_rolling, shaped);
+  system_.wall_contacts = walls_of(contacts_in(archive, "wall", wall_scratch, shaped, ranks_), rows, system_.particles,
+                                   system_.walls.size());
   settle();
+}
+
+/// Of several ranks each has read some particles and some contacts; all go where they belong.
+void Simulation::settle(const Archive& archive) {
+  const bool shaped = system_.particles.shaped();
+  Luggage read{copy_of(contacts_in(archive, "pair", pair_scratch, shaped, ranks_)),
+               copy_of(contacts_in(archive, "wall", wall_scratch, shaped, ranks_))};
+  cut_blocks(ranks_);
+  lists_.skin = case_.simulation.skin;  // a first one from the sizes of all follows with the lists
+  lists_.luggage = bring_home(system_, read, lists_.blocks, ranks_);
 }
 
 }  // namespace scree

@@ -70,6 +70,16 @@ std::vector<FrameColumn> contact_columns(const Sample& sample) {
   return columns_of(std::move(table));
 }
 
+std::vector<RowKey> contact_keys(std::span<const FrameColumn> columns, std::int64_t next_id) {
+  const auto* first = static_cast<const std::int64_t*>(columns[0].values.data);
+  const auto* second = static_cast<const std::int64_t*>(columns[1].values.data);
+  std::vector<RowKey> keys;
+  for (std::uint64_t k = 0; k < columns[0].values.rows; ++k)
+    // The walls of one particle are on one rank, in the order of their faces.
+    keys.push_back({first[k] + (second[k] < 0 ? next_id : 0), second[k]});
+  return keys;
+}
+
 std::size_t file_bytes_per_contact() {
   std::size_t bytes = sizeof(std::int32_t);  // of the list of vertices
   for (const FrameColumn& c : columns_of({})) bytes += c.values.columns * element_size(c.values.element);

@@ -98,7 +98,8 @@ FrameData frame_data(const Sample& sample, bool agglomerates) {
   const Particles& p = sample.system.particles;
   const std::vector<std::int32_t> contacts = count_contacts(sample.system);
   FrameData d;
-  const bool others = std::ranges::any_of(sample.system.forms, [](const Form& form) { return form.other(); });
+  const bool others = has_other_shapes(sample.system.forms);
+  d.there = {agglomerates, p.shaped(), others};
   Agglomerates found;
   if (agglomerates) found = find_agglomerates(p, sample.system.domain, bonds_of(sample.system));
   for (const std::uint32_t i : order_by_id(p)) {
@@ -124,17 +125,34 @@ FrameData frame_data(const Sample& sample, bool agglomerates) {
   return d;
 }
 
+FrameData no_frame_data(FrameParts there) {
+  FrameData d;
+  d.there = there;
+  return d;
+}
+
+std::vector<RowKey> keys_of(const FrameData& data) {
+  std::vector<RowKey> keys;
+  for (const std::int64_t id : data.id) keys.push_back({id, 0});
+  return keys;
+}
+
 std::vector<FrameColumn> frame_columns(const FrameData& d, const OutputKeys& output) {
   std::vector<FrameColumn> out;
-  const FrameParts there{!d.agglomerate.empty(), !d.orientation.empty(), !d.shape_file.empty()};
   for (const FrameField& field : fields) {
-    if (!chosen(field, output, there) || (field.part == Part::of_agglomerates && !there.agglomerates)) continue;
+    if (!chosen(field, output, d.there) || (field.part == Part::of_agglomerates && !d.there.agglomerates)) continue;
     FrameColumn column{
         field.name, field.unit, field.meaning, {field.element, d.id.size(), field.components, field.values(d)}};
     if (in_single(field, output)) round_to_single(column);
     out.push_back(std::move(column));
   }
   return out;
+}
+
+Compression compression_of(const OutputKeys& output) {
+  if (output.compression == "none") return Compression::none;
+  if (output.compression == "fast") return Compression::fast;
+  return output.compression == "small" ? Compression::small : Compression::whole_numbers;
 }
 
 std::size_t frame_bytes_per_particle(const OutputKeys& output, FrameParts there) {

@@ -28,14 +28,23 @@ struct FrameData {
   std::vector<std::int32_t> shape_file;                   // empty if all are superellipsoids
   std::vector<double> force, unwrapped_position, effect_diameter;
   std::vector<std::int32_t> contacts;
+  FrameParts there;
 };
 
-/// All fields of the sample; those of agglomerates, which take a search, only if asked for.
+/// All fields of the sample; those of agglomerates, which take a search of the whole, only if asked for.
 FrameData frame_data(const Sample& sample, bool agglomerates);
+
+/// For ranks that leave a frame to another one: no rows, of the same fields.
+FrameData no_frame_data(FrameParts there);
+
+/// The order of the rows.
+std::vector<RowKey> keys_of(const FrameData& data);
 
 /// The columns that the case chooses with output.fields, in the precision of output.precision. They borrow from `data`
 /// or own their values.
 std::vector<FrameColumn> frame_columns(const FrameData& data, const OutputKeys& output);
+
+Compression compression_of(const OutputKeys& output);
 
 /// Bytes that the chosen fields of one particle take in a frame, uncompressed, the list of vertices included.
 std::size_t frame_bytes_per_particle(const OutputKeys& output, FrameParts there);

@@ -1,7 +1,5 @@
 #include "scree/app/measures.h"
 
-#include "scree/analysis/measure.h"
-
 namespace scree {
 namespace {
 
@@ -39,7 +37,6 @@ Measures::Measures(const Case& c, const Clock& clock, const std::filesystem::pat
   }
   if (archive && archive->contains("measures_row_time")) row_time_ = archive->number("measures_row_time");
   for (const SurfaceKeys& keys : c.analysis.surfaces) surfaces_.push_back(probe_of(keys));
-  for (const RegionKeys& keys : c.analysis.regions) regions_.push_back({keys.min, keys.max});
   for (const AverageKeys& keys : c.analysis.averages) averages_.emplace_back(c, keys, clock, directory, archive);
 }
 
@@ -55,7 +52,8 @@ void Measures::count(const Simulation& simulation) {
   for (std::size_t k = 0; k < planes_.size(); ++k) planes_[k].count = counts[k];
 }
 
-std::vector<double> Measures::row(const Sample& sample, double time) {
+std::vector<double> Measures::row(Simulation& simulation, const std::vector<double>& regions) {
+  const double time = simulation.clock().now();
   std::vector<double> out;
   for (Plane& plane : planes_) {
     const PlaneCount& count = plane.count;
@@ -67,15 +65,10 @@ std::vector<double> Measures::row(const Sample& sample, double time) {
   }
   row_time_ = time;
   for (const SurfaceProbe& probe : surfaces_) {
-    const Surface found = find_surface(probe, sample.system.particles);
+    const Surface found = find_surface(probe, simulation.whole().particles);
     out.insert(out.end(), {found.level, found.angle, found.direction});
   }
-  if (regions_.empty()) return out;
-  const ParticleSystem& s = sample.system;
-  const std::vector<std::int32_t> contacts = count_contacts(s);
-  for (const Region& region : regions_)
-    out.insert(out.end(), {solid_fraction(region, s.particles, s.forms, s.domain),
-                           coordination_number(region, s.particles, contacts)});
+  out.insert(out.end(), regions.begin(), regions.end());
   return out;
 }
 

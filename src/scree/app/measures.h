@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "scree/analysis/planes.h"
-#include "scree/analysis/region.h"
 #include "scree/analysis/surface.h"
 #include "scree/app/average_run.h"
 #include "scree/app/simulation.h"
@@ -27,8 +26,8 @@ class Measures {
   /// Takes up what the planes have counted so far, for row() and save().
   void count(const Simulation& simulation);
 
-  /// Values of measure_columns() for a row at the time of the sample [s]; rates are those since the row before.
-  std::vector<double> row(const Sample& sample, double time);
+  /// Values of measure_columns() for a row, `regions` among them; rates are those since the row before.
+  std::vector<double> row(Simulation& simulation, const std::vector<double>& regions);
 
   /// Writes what is incomplete.
   void finish();
@@ -45,7 +44,6 @@ class Measures {
 
   std::vector<Plane> planes_;
   std::vector<SurfaceProbe> surfaces_;
-  std::vector<Region> regions_;
   std::vector<AverageRun> averages_;
   double row_time_ = 0;  // of the last row [s]
   std::int64_t seen_step_ = -1;

@@ -6,8 +6,6 @@
 
 #include "scree/analysis/measure.h"
 #include "scree/app/columns.h"
-#include "scree/app/contact_fields.h"
-#include "scree/app/frame_fields.h"
 #include "scree/app/wall_surface.h"
 #include "scree/base/error.h"
 #include "scree/input/record.h"
@@ -18,18 +16,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
-
-/// Whether every number of the motion is one that sums and squares can bear.
-bool is_finite(const Particles& p) {
-  const auto bearable = [](double x) { return std::abs(x) < 1e100; };
-  return std::ranges::all_of(p.motion.values, bearable) && std::ranges::all_of(p.spin.values, bearable);
-}
-
-Compression compression_of(const OutputKeys& output) {
-  if (output.compression == "none") return Compression::none;
-  if (output.compression == "fast") return Compression::fast;
-  return output.compression == "small" ? Compression::small : Compression::whole_numbers;
-}
 
 std::int64_t first_due(double interval, std::int64_t step, double dt) {
   return interval > 0 ? (step == 0 ? 0 : next_due(step, interval, dt)) : never;
@@ -86,8 +72,7 @@ void Outputs::write_due(Simulation& simulation) {
 }
 
 void Outputs::take_stock(Simulation& simulation) {
-  measured_ =
-      measure(simulation.sample(), simulation.fields(), simulation.clock().now(), simulation.exchange().passage());
+  measured_ = simulation.measured();
   leave_out(measured_, case_.ledger.omit);
   if (!books_) books_ = open_books(measured_);
   row_ = scree::balance(*books_, measured_, simulation.system().domain.any_periodic());
@@ -118,39 +103,42 @@ void Outputs::append_row(Simulation& simulation) {
   const Clock& clock = simulation.clock();
   const Stopwatch watch(simulation.stages(), "output");
   const Sample& sample = simulation.sample();
+  RowFacts facts = simulation.row_facts();
   const Tally& tally = simulation.tally();
   SeriesRow row;
   row.time = clock.now();
   row.step = clock.step;
   row.measured = measured();
-  row.particles = static_cast<std::int64_t>(sample.system.particles.size());
+  row.particles = simulation.particles();
   if (simulation.exchange().active()) row.passed = passed_of(simulation.exchange());
   if (is_hard(case_)) row.hard = HardRow{row.measured.relocation_work, tally.impacts};
   row.balance = row_;
   row.wall_loads = sample.wall_loads;
   row.contacts = sample.findings.contacts;
   row.max_overlap = std::max(0.0, sample.findings.deepest);
-  row.speeds = measure_speeds(sample);
+  row.speeds = facts.speeds;
   row.collision_speed = mean_impact_speed(tally.impacts - impacts_, tally.impact_speed - impact_speed_);
   const auto& impact = simulation.typical_impact();
   row.stickiness = impact ? stickiness_number(*impact, row.collision_speed) : nan;
   impacts_ = tally.impacts;
   impact_speed_ = tally.impact_speed;
   if (case_.analysis.agglomerates) {
-    const Agglomerates found =
-        find_agglomerates(sample.system.particles, sample.system.domain, bonds_of(sample.system));
+    const ParticleSystem& whole = simulation.whole_sample().system;
+    const Agglomerates found = find_agglomerates(whole.particles, whole.domain, bonds_of(whole));
     row.agglomerates = summarize(found);
     append_sizes(*sizes_, row.time, size_distribution(found));
     const double wanted = case_.analysis.stop_agglomerated;
     agglomerated_ = wanted > 0 && row.agglomerates->agglomerated_fraction > wanted;
   }
   measures_.count(simulation);
-  row.measures = measures_.row(sample, row.time);
+  row.measures = measures_.row(simulation, facts.regions);
   series_->append(values_of(row));
-  if (tracks_) tracks_->append(track_rows(sample, case_.output.tracks, row.time));
+  if (tracks_) tracks_->append(facts.tracks);
   row_step_ = clock.step;
-  last_good_ = simulation.save();
+  simulation.keep();
+  last_good_ = Archive();
   save_books(*last_good_);
+  last_good_step_ = clock.step;
 }
 
 void Outputs::write_shapes(const Forms& forms) {
@@ -163,14 +151,13 @@ void Outputs::write_frame(Simulation& simulation) {
   const Clock& clock = simulation.clock();
   frame_due_ = next_due(clock.step, case_.output.frames, clock.dt);
   if (frame_step_ == clock.step) return;
-  const Sample& sample = simulation.sample();
+  simulation.sample();
   const Stopwatch watch(simulation.stages(), "output");
-  const FrameData data = frame_data(sample, case_.analysis.agglomerates);
   write_shapes(simulation.system().forms);
   if (surfaces_)
-    surfaces_->write(clock.now(), frames_->count(), wall_surface(simulation.system().walls, sample.system.domain));
-  frames_->write(clock.now(), static_cast<std::uint64_t>(clock.step), frame_columns(data, case_.output));
-  if (contacts_) contacts_->write(clock.now(), static_cast<std::uint64_t>(clock.step), contact_columns(sample));
+    surfaces_->write(clock.now(), frames_->count(),
+                     wall_surface(simulation.system().walls, simulation.system().domain));
+  simulation.write_frame(*frames_, contacts_ ? &*contacts_ : nullptr);
   frame_step_ = clock.step;
 }
 
@@ -192,23 +179,25 @@ void Outputs::write_checkpoint(Simulation& simulation) {
   Archive archive = simulation.save();
   measures_.count(simulation);
   save_books(archive);
-  write_archive(directory_.checkpoint(static_cast<std::uint64_t>(clock.step)), archive);
+  simulation.write(directory_.checkpoint(static_cast<std::uint64_t>(clock.step)), archive);
   directory_.prune_checkpoints();
   checkpoint_step_ = clock.step;
 }
 
-std::string Outputs::write_last_good() const {
+std::string Outputs::write_last_good(Simulation& simulation) const {
   if (!last_good_) return {};
-  const std::int64_t step = last_good_->integer("step");
+  const std::int64_t step = last_good_step_;
   if (checkpoint_step_ > step) return directory_.checkpoint(static_cast<std::uint64_t>(checkpoint_step_)).string();
   const auto path = directory_.checkpoint(static_cast<std::uint64_t>(step));
-  write_archive(path, *last_good_);
+  Archive archive = simulation.save_kept();
+  archive.add_all(*last_good_);
+  simulation.write(path, archive);
   directory_.prune_checkpoints();
   return path.string();
 }
 
 bool Outputs::show_failure(Simulation& simulation) {
-  if (!books_ || !is_finite(simulation.whole().particles)) return false;
+  if (!books_ || !simulation.is_finite()) return false;
   try {
     take_stock(simulation);
   } catch (const PhysicsError&) {

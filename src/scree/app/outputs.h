@@ -33,7 +33,7 @@ class Outputs {
 
   /// Writes the state that the last row of the series saw, for when the present one is lost, unless a later checkpoint
   /// is there. Returns the file's name.
-  std::string write_last_good() const;
+  std::string write_last_good(Simulation& simulation) const;
 
   /// Row and frame of a state that has gone wrong, as far as its numbers are finite; they are in no books and no
   /// checkpoint. Returns whether there was anything to show.
@@ -78,7 +78,8 @@ class Outputs {
   Measured measured_;
   LedgerRow row_;
   std::int64_t impacts_ = 0, impact_speed_ = 0;  // of the tally at the last row
-  std::optional<Archive> last_good_;
+  std::optional<Archive> last_good_;             // what is added to the state that the simulation has kept
+  std::int64_t last_good_step_ = -1;
   bool agglomerated_ = false;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "scree/app/take_over.h"
 #include "scree/base/atomic_file.h"
 #include "scree/base/error.h"
 #include "scree/input/record.h"
@@ -70,6 +71,11 @@ bool same_place(const fs::path& a, const fs::path& b) {
   return !a.empty() && fs::equivalent(a, b, error) && !error;
 }
 
+/// What this rank needs of a checkpoint. Which sizes there are among particles taken over only all of them tell.
+Archive read_share(const fs::path& checkpoint, const Case& c, const RunOptions& options) {
+  return read_archive(checkpoint, "restart from", takes_over(c) ? Ranks() : options.ranks);
+}
+
 Beginning from_checkpoint(const Case& c, const RunOptions& options, double end) {
   Beginning out;
   fs::path checkpoint = options.restart;
@@ -77,7 +83,7 @@ Beginning from_checkpoint(const Case& c, const RunOptions& options, double end) 
     checkpoint = newest_in(options.directory, out.warnings);
   else if (fs::is_directory(checkpoint))
     checkpoint = newest_in(run_directory_of(options.restart), out.warnings);
-  out.archive = read_archive(checkpoint);
+  out.archive = read_share(checkpoint, c, options);
   require_same_case(*out.archive, c);
   require_later_end(*out.archive, end);
   if (!same_place(run_directory_of(checkpoint.string()), options.directory)) {
@@ -118,7 +124,7 @@ Beginning next_piece(const Case& c, const RunOptions& options, double end) {
     return out;
   }
   const fs::path checkpoint = newest_in(directory, out.warnings);
-  out.archive = read_archive(checkpoint);
+  out.archive = read_share(checkpoint, c, options);
   require_same_case(*out.archive, c);
   out.existing = Existing::resume;
   out.nothing_to_do = past && past->status == "finished" && end <= past->end * (1 + 1e-9);

@@ -124,7 +124,7 @@ void run_to_stop(RunLoop& run, const RunOptions& options, const InterruptGuard& 
     result.summary.status = "failed";
     result.status = Exit::physics;
     const std::string saved = second_attempt([&] {
-      const std::string name = outputs.write_last_good();
+      const std::string name = outputs.write_last_good(run.simulation);
       return name.empty() ? name : "\n  the last good state is in " + name;
     });
     const std::string shown = second_attempt([&] {

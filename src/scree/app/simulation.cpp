@@ -25,11 +25,13 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const R
   findings_.fastest2 = fastest_square(system_.particles);
   lists_ = prepare_lists(system_, c.simulation.skin);
   std::optional<Particles> saved;
-  if (resumed) saved = particles_of(*resumed);
+  // What there is at all only all particles tell; where sizes matter, every rank has read them all.
+  if (resumed) saved = particles_of(*resumed, takes_over(c) ? Ranks() : ranks);
   const std::vector<BodyKind> kinds = body_kinds(c, saved ? &*saved : nullptr);
   clock_.dt = resumed && takes_over(c) ? resumed->number("time_step") : time_step_of(c, system_.materials, kinds, system_.walls);
   typical_impact_ = scree::typical_impact(c, system_.materials, kinds);
-  sample_.with_contact_forces = c.output.contacts || !c.analysis.averages.empty();
+  sample_.with_contact_forces = whole_sample_.with_contact_forces = c.output.contacts || !c.analysis.averages.empty();
+  for (const RegionKeys& keys : c.analysis.regions) regions_.push_back({keys.min, keys.max});
   if (!resumed) settle();
 }
 
@@ -199,33 +201,6 @@ sc_move Simulation::move_now() const {
 sc_contact_time Simulation::contact_time_now() const {
   const sc_move m = move_now();
   return {clock_.step == 0 ? 0.0 : clock_.dt, m.lag, m.kick};
-}
-
-const Sample& Simulation::sample() {
-  if (sampled_step_ == clock_.step) return sample_;
-  // Of several ranks, and of a device, one looks at the whole with lists of its own.
-  const bool alone = ranks_.alone() && !is_on_device();
-  if (alone) {
-    move_walls(clock_.now());
-    refresh_neighbours();
-  } else {
-    whole();
-  }
-  ContactLists whole_lists;
-  Buffer<sc_field> whole_field;
-  if (!alone) {
-    whole_lists = prepare_lists(whole_, case_.simulation.skin);
-    refresh_lists(whole_, whole_lists, team_);
-  }
-  const ParticleSystem& system = alone ? system_ : whole_;
-  ContactLists& lists = alone ? lists_ : whole_lists;
-  Buffer<sc_field>& field = alone ? field_ : whole_field;
-  evaluate_fields(system, clock_.now(), field);
-  const Stopwatch watch(stages_, "samples");
-  take_sample(system, lists, move_now(), contact_time_now(), fields_matter() ? field.data() : nullptr, sample_);
-  set_velocities(prescribed_, sample_.system.particles, clock_.now());
-  sampled_step_ = clock_.step;
-  return sample_;
 }
 
 }  // namespace scree

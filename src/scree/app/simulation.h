@@ -2,16 +2,21 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "scree/analysis/measure.h"
+#include "scree/analysis/region.h"
 #include "scree/app/build.h"
 #include "scree/app/exchange.h"
+#include "scree/app/frame_fields.h"
 #include "scree/app/plane_watches.h"
 #include "scree/app/prescribed.h"
+#include "scree/app/state_share.h"
 #include "scree/app/sticking.h"
 #include "scree/app/sweep_tally.h"
 #include "scree/app/wall_motion.h"
@@ -20,6 +25,7 @@
 #include "scree/mpi/effort.h"
 #include "scree/mpi/ranks.h"
 #include "scree/output/archive.h"
+#include "scree/output/frames.h"
 #include "scree/particles/hard/step.h"
 #include "scree/particles/sample.h"
 
@@ -40,7 +46,30 @@ struct DeviceInfo;
 }
 
 /// What the root asks of the other ranks.
-enum class Call : std::int64_t { step, gather, planes, report, dismiss };
+enum class Call : std::int64_t {
+  step,
+  sample,
+  measure,
+  row,
+  frame,
+  finite,
+  hash,
+  save,
+  keep,
+  save_kept,
+  write,
+  gather,
+  planes,
+  report,
+  dismiss
+};
+
+/// What a row of the series says of the particles of all ranks, besides what they hold.
+struct RowFacts {
+  Speeds speeds;
+  std::vector<double> regions;  // solid fraction and coordination number of each
+  std::vector<double> tracks;   // rows of the particles that are followed
+};
 
 /// What has been counted since the start.
 struct Tally {
@@ -51,7 +80,7 @@ struct Tally {
 };
 
 /// With several ranks every one of them has a simulation of the same case, which holds its share of the particles. The
-/// root conducts: its step(), sample(), state_hash() and save() call upon the others, which follow().
+/// root conducts: whatever it is asked for, it calls upon the others, which follow().
 class Simulation {
  public:
   /// Builds the initial state of a case. A run that goes on gives the archive that will be restored: what the case
@@ -68,11 +97,24 @@ class Simulation {
   /// Advances by one time step. Throws PhysicsError when the physics has gone wrong.
   void step();
 
-  /// The present state with all velocities at the time of the positions.
+  /// The present state with all velocities at the time of the positions; of several ranks, this rank's part of it.
   const Sample& sample();
+
+  /// The same of all ranks together, at the root: for what cannot be put together from parts.
+  const Sample& whole_sample();
 
   /// All particles and contacts of the run; of several ranks, put together at the root.
   const ParticleSystem& whole();
+
+  /// What the particles hold, and what the series says of them besides.
+  Measured measured();
+  RowFacts row_facts();
+
+  /// Writes a frame of the present state, and one of its contacts if there is a writer for them.
+  void write_frame(FrameWriter& frames, FrameWriter* contacts);
+
+  /// Whether every number of the motion is one that sums and squares can bear.
+  bool is_finite();
 
   /// SHA-256 over time, particles by id and contacts by key, as hexadecimal text.
   std::string state_hash();
@@ -80,8 +122,15 @@ class Simulation {
   /// What has passed each plane of the case since the start.
   std::vector<PlaneCount> plane_counts() const;
 
-  /// Everything that continuing to the last bit needs.
+  /// Everything that continuing to the last bit needs; of several ranks, this rank's part of it.
   Archive save();
+
+  /// Remembers the present state, on every rank its part; save_kept() gives it as save() would have then.
+  void keep();
+  Archive save_kept();
+
+  /// Writes what save() or save_kept() gave last, to which the caller may have added. Throws ResourceError.
+  void write(const std::filesystem::path& path, const Archive& archive);
 
   /// Ranks other than the root: does as the root does until that dismisses them; returns what it gives them.
   std::int64_t follow();
@@ -121,9 +170,23 @@ class Simulation {
   void settle_device();
   void bring_back();
   bool is_on_device() const;
+  void help(Call what);
   void gather();
+  void take_own_sample();
+  void sample_whole();
+  Measured measure_share();
+  RowFacts look_at_share();
+  void frame_share(FrameWriter* frames, FrameWriter* contacts);
+  FrameData frame_data_share();
+  bool is_share_finite() const;
+  StateShare share();
+  Archive save_share();
+  std::string hash_share();
   std::vector<Bytes> report() const;
   void settle();
+  void settle(const Archive& archive);
+  void restore_contacts(const Archive& archive);
+  void cut_blocks(const Ranks& who_counts);
   void together(const std::function<void()>& look) const;
   void move_walls(double time);
   void exchange_particles();
@@ -158,6 +221,7 @@ class Simulation {
   std::vector<WallMotion> motions_;
   Exchange exchange_;
   PlaneWatches planes_;
+  std::vector<Region> regions_;
   std::int64_t fresh_ = 0;  // ids from here on have come since the last step
   ContactLists lists_;
   Buffer<sc_field> field_;
@@ -167,8 +231,10 @@ class Simulation {
   SweepTally sweeps_;
   SweepFindings findings_, own_findings_;  // of all ranks, of this one
   StageSeconds stages_;
-  Sample sample_;
-  std::int64_t sampled_step_ = -1;
+  Sample sample_, whole_sample_;
+  std::int64_t sampled_step_ = -1, whole_sampled_step_ = -1;
+  std::optional<StateShare> kept_;
+  Archive saved_;  // ranks other than the root: waits to be written
   std::unique_ptr<DeviceRun> device_;
   // Where system_ is not the run as a whole, at the root of several ranks or of a device: that.
   ParticleSystem whole_;

@@ -33,25 +33,48 @@ void Simulation::call(Call what) const {
 std::int64_t Simulation::follow() {
   for (;;) {
     try {
-      switch (static_cast<Call>(ranks_.of_root(0))) {
-        case Call::step:
-          advance();
-          break;
-        case Call::gather:
-          gather();
-          break;
-        case Call::planes:
-          planes_.counts(ranks_);
-          break;
-        case Call::report:
-          report();
-          break;
-        case Call::dismiss:
-          return ranks_.of_root(0);
-      }
+      const Call what = static_cast<Call>(ranks_.of_root(0));
+      if (what == Call::dismiss) return ranks_.of_root(0);
+      what == Call::step ? advance() : help(what);
     } catch (const WrongElsewhere&) {
       // The root decides what becomes of the run.
     }
+  }
+}
+
+/// The other ranks' part of what the root does when it looks at the present state.
+void Simulation::help(Call what) {
+  switch (what) {
+    case Call::sample:
+      return take_own_sample();
+    case Call::measure:
+      return void(measure_share());
+    case Call::row:
+      return void(look_at_share());
+    case Call::frame:
+      return frame_share(nullptr, nullptr);
+    case Call::finite:
+      return void(ranks_.all(is_share_finite()));
+    case Call::hash:
+      return void(hash_share());
+    case Call::save:
+      return void(saved_ = save_share());
+    case Call::keep:
+      return void(kept_ = share());
+    case Call::save_kept:
+      return void(saved_ = archive_of(*kept_, ranks_));
+    case Call::write:
+      write_archive({}, saved_, ranks_);
+      return void(saved_ = Archive());
+    case Call::gather:
+      return gather();
+    case Call::planes:
+      return void(planes_.counts(ranks_));
+    case Call::report:
+      return void(report());
+    case Call::step:
+    case Call::dismiss:
+      return;
   }
 }
 
@@ -79,15 +102,20 @@ void Simulation::together(const std::function<void()>& look) const {
 
 /// Keeps this rank's share of a system that every rank has as a whole.
 void Simulation::settle() {
-  count_ = static_cast<std::int64_t>(system_.particles.size());
+  cut_blocks(Ranks());
+  if (!ranks_.alone()) lists_.luggage = keep_share(system_, lists_.blocks, ranks_);
+}
+
+/// Begins anew with blocks of equal numbers of particles: of those that `who_counts` have together.
+void Simulation::cut_blocks(const Ranks& who_counts) {
+  count_ = who_counts.total(static_cast<std::int64_t>(system_.particles.size()));
   whole_step_ = -1;
   fresh_ = exchange_.next_id();
   if (ranks_.alone()) return;
   lists_.ranks = ranks_;
   lists_.blocks = equal_blocks(ranks_.count(), system_.domain);
   const std::vector<std::int32_t> equal_loads(system_.particles.size(), 1);
-  balance(lists_.blocks, system_.domain, system_.particles, equal_loads, Ranks());
-  lists_.luggage = keep_share(system_, lists_.blocks, ranks_);
+  balance(lists_.blocks, system_.domain, system_.particles, equal_loads, who_counts);
 }
 
 std::int64_t Simulation::particles() const {

@@ -70,13 +70,13 @@ Archive checkpoint_of(const Case& c, const ParticleKeys& keys) {
 
 }  // namespace
 
-Particles particles_of(const Archive& archive) {
+Particles particles_of(const Archive& archive, const Ranks& ranks) {
   Particles out(archive.contains("form"));
-  out.resize(static_cast<std::size_t>(archive.integer("particles")));
+  out.resize(equal_part(static_cast<std::uint64_t>(archive.integer("particles")), ranks).second);
   out.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
     if (!saved) return;
     using Component = typename std::remove_reference_t<decltype(column)>::value_type;
-    const auto values = archive.get<Component>(std::string(name), column.components);
+    const auto values = archive.part<Component>(std::string(name), column.components, ranks);
     if (values.size() != column.values.size())
       throw InputError(archive.origin + ": wrong number of " + std::string(name));
     std::copy(values.begin(), values.end(), column.values.begin());
@@ -108,7 +108,7 @@ void save_forms(const Forms& forms, Archive& archive) {
     numbers.insert(numbers.end(), form.exponents.begin(), form.exponents.end());
   }
   archive.put("forms", std::move(numbers), 5);
-  if (std::all_of(forms.begin(), forms.end(), [](const Form& form) { return !form.other(); })) return;
+  if (!has_other_shapes(forms)) return;
   std::string names;
   for (const Form& form : forms) names += std::string(form.shape_name()) + "\n";
   archive.set("shapes", names);

@@ -11,8 +11,8 @@
 
 namespace scree {
 
-/// The particles of a checkpoint. Throws InputError when some are missing.
-Particles particles_of(const Archive& archive);
+/// The particles of a checkpoint; of several ranks, this rank's part. Throws InputError when some are missing.
+Particles particles_of(const Archive& archive, const Ranks& ranks = {});
 
 /// The forms of a checkpoint; none if all its particles are spheres.
 Forms forms_of(const Archive& archive);

@@ -68,6 +68,16 @@ void write_text_file(const fs::path& path, std::string_view text) {
   });
 }
 
+void write_into(const fs::path& path, std::span<const FilePiece> pieces) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (file.number < 0) refuse(path, errno);
+  for (const FilePiece& piece : pieces) {
+    if (::lseek(file.number, static_cast<off_t>(piece.place), SEEK_SET) < 0) refuse(path, errno);
+    write_all(file.number, piece.bytes, path);
+  }
+  if (::fsync(file.number) != 0 && errno != EINVAL) refuse(path, errno);
+}
+
 std::string read_text_file(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;

@@ -1,8 +1,10 @@
 // Files that appear whole or not at all: written under a temporary name, synced to the disk, then renamed.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,6 +21,16 @@ void write_atomically(const std::filesystem::path& path,
 
 /// Writes a whole text file atomically. Throws ResourceError.
 void write_text_file(const std::filesystem::path& path, std::string_view text);
+
+/// Bytes that belong at a place of a file.
+struct FilePiece {
+  std::uint64_t place = 0;
+  std::string_view bytes;
+};
+
+/// Writes pieces into a file that is there, and syncs it. Several processes may do so at once where their pieces do not
+/// overlap. Throws ResourceError.
+void write_into(const std::filesystem::path& path, std::span<const FilePiece> pieces);
 
 /// The contents of a file, byte for byte. Throws InputError when it cannot be read.
 std::string read_text_file(const std::filesystem::path& path);

@@ -61,6 +61,10 @@ const OtherShape* Form::other() const {
 
 std::string_view Form::shape_name() const { return other() ? other()->name : "superellipsoid"; }
 
+bool has_other_shapes(const Forms& forms) {
+  return std::ranges::any_of(forms, [](const Form& form) { return form.other() != nullptr; });
+}
+
 double bounding_radius(const Axes& half_axes, double e1, double e2) {
   return farthest(farthest(half_axes[0], half_axes[1], e2), half_axes[2], e1);
 }

@@ -66,6 +66,9 @@ Form make_form(std::string_view shape, const Axes& half_axes, double e1, double 
 Form make_form_at_radius_one(std::string_view shape, const Axes& half_axes, double e1, double e2);
 double bounding_radius(std::string_view shape, const Axes& half_axes, double e1, double e2);
 
+/// Whether some are no superellipsoids.
+bool has_other_shapes(const Forms& forms);
+
 /// Whether two forms are the same to the last bit.
 bool same_shape(const Form& a, const Form& b);
 

@@ -16,15 +16,30 @@ void Archive::add(ArchivedArray array) {
   arrays_.push_back(std::move(array));
 }
 
+void Archive::put_shared(std::span<const std::string> names, const Slab& slab) {
+  for (std::size_t k = 0; k < names.size(); ++k)
+    add({names[k], slab.columns[k], slab.owner, true, slab.first, slab.total});
+}
+
 void Archive::set(std::string name, ArchivedValue value) {
   if (contains(name) || name.empty() || name.find('/') != std::string::npos)
     throw std::logic_error(fmt::format("archive name '{}' is taken or impossible", name));
   values_.emplace_back(std::move(name), std::move(value));
 }
 
+void Archive::add_all(const Archive& other) {
+  for (const ArchivedArray& array : other.arrays_) add(array);
+  for (const auto& [name, value] : other.values_) set(name, value);
+}
+
 bool Archive::contains(const std::string& name) const {
   return std::ranges::any_of(arrays_, [&](const auto& array) { return array.name == name; }) ||
          std::ranges::any_of(values_, [&](const auto& entry) { return entry.first == name; });
+}
+
+bool Archive::is_cut(const std::string& name) const {
+  const auto found = std::ranges::find(arrays_, name, &ArchivedArray::name);
+  return found->shared && found->values.rows < found->total;
 }
 
 const ArrayView& Archive::find(const std::string& name, Element element, std::uint64_t columns) const {

@@ -10,11 +10,10 @@
 #include <cstring>
 #include <fstream>
 
-#include "scree/base/atomic_file.h"
 #include "scree/base/error.h"
 #include "scree/base/hash.h"
 #include "scree/output/archive.h"
-#include "scree/output/hdf5_file.h"
+#include "scree/output/shared_file.h"
 
 namespace scree {
 namespace {
@@ -24,6 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t block_size = 512;
 constexpr std::string_view signature = "scree checkpoint\n";
 constexpr int format_version = 1;
+constexpr const char* shared_mark = "shared";  // an attribute of arrays that ranks have shared
 
 /// The text of the first block, filled up with blanks.
 std::string header_block(std::uint64_t size, const std::string& digest) {
@@ -54,8 +54,8 @@ struct Refusal {
   }
 };
 
-void write_contents(const fs::path& path, const Archive& archive) {
-  Hdf5File file = Hdf5File::create(path, block_size);
+/// What the root has alone.
+void write_own(Hdf5File& file, const Archive& archive) {
   file.create_group("/values");
   file.create_group("/arrays");
   for (const auto& [name, value] : archive.values()) {
@@ -64,8 +64,18 @@ void write_contents(const fs::path& path, const Archive& archive) {
     if (const auto* number = std::get_if<double>(&value)) file.write(place, array_view(number, 1));
     if (const auto* integer = std::get_if<std::int64_t>(&value)) file.write(place, array_view(integer, 1));
   }
-  for (const ArchivedArray& array : archive.arrays()) file.write("/arrays/" + array.name, array.values);
-  file.close();
+  for (const ArchivedArray& array : archive.arrays())
+    if (!array.shared) file.write("/arrays/" + array.name, array.values);
+}
+
+/// Puts the first block before a file of which all else is there.
+void seal(const fs::path& temporary) {
+  std::fstream file(temporary, std::ios::in | std::ios::out | std::ios::binary);
+  const std::string digest = digest_of(file);
+  file.clear();
+  file.seekp(0);
+  file << header_block(fs::file_size(temporary), digest) << std::flush;
+  if (!file) throw ResourceError(fmt::format("cannot write '{}': {}", temporary.string(), std::strerror(errno)));
 }
 
 ArchivedValue read_value(const Hdf5File& file, const std::string& place) {
@@ -80,27 +90,34 @@ ArchivedValue read_value(const Hdf5File& file, const std::string& place) {
   return number;
 }
 
-ArchivedArray read_array(const Hdf5File& file, const std::string& name) {
-  const Shape shape = file.shape("/arrays/" + name);
-  ArrayView values{shape.element, shape.rows, shape.columns, nullptr};
+ArchivedArray read_array(const Hdf5File& file, const std::string& name, const Ranks& ranks) {
+  const std::string place = "/arrays/" + name;
+  const Shape shape = file.shape(place);
+  const bool shared = file.contains_attribute(place, shared_mark);
+  const auto [first, rows] = shared ? equal_part(shape.rows, ranks) : std::pair{std::uint64_t{0}, shape.rows};
+  ArrayView values{shape.element, rows, shape.columns, nullptr};
   const std::shared_ptr<std::byte[]> memory(new std::byte[values.bytes()]);
-  file.read("/arrays/" + name, shape, memory.get());
+  file.read_rows(place, shape, first, rows, memory.get());
   values.data = memory.get();
-  return {name, values, memory};
+  return {name, values, memory, shared, first, shape.rows};
 }
 
 }  // namespace
 
-void write_archive(const fs::path& path, const Archive& archive) {
-  write_atomically(path, [&](const fs::path& temporary) {
-    write_contents(temporary, archive);
-    std::fstream file(temporary, std::ios::in | std::ios::out | std::ios::binary);
-    const std::string digest = digest_of(file);
-    file.clear();
-    file.seekp(0);
-    file << header_block(fs::file_size(temporary), digest) << std::flush;
-    if (!file) throw ResourceError(fmt::format("cannot write '{}': {}", path.string(), std::strerror(errno)));
-  });
+void write_archive(const fs::path& path, const Archive& archive, const Ranks& ranks) {
+  SharedFile file;
+  file.user_block = block_size;
+  file.begin = [&](Hdf5File& layout) { write_own(layout, archive); };
+  for (const ArchivedArray& array : archive.arrays())
+    if (array.shared)
+      file.datasets.push_back({"/arrays/" + array.name,
+                               array.values,
+                               array.first,
+                               array.total,
+                               Storage::plain,
+                               {{shared_mark, "row by row among the processes"}}});
+  file.seal = seal;
+  write_shared(path, file, ranks);
 }
 
 void verify_archive(const fs::path& path, std::string_view purpose) {
@@ -129,13 +146,13 @@ void verify_archive(const fs::path& path, std::string_view purpose) {
     refuse("it is damaged: its contents do not match their SHA-256; use an older checkpoint");
 }
 
-Archive read_archive(const fs::path& path, std::string_view purpose) {
+Archive read_archive(const fs::path& path, std::string_view purpose, const Ranks& ranks) {
   verify_archive(path, purpose);
   const Hdf5File file = Hdf5File::open(path);
   Archive archive;
   archive.origin = fmt::format("'{}'", path.string());
   for (const std::string& name : file.names("/values")) archive.set(name, read_value(file, "/values/" + name));
-  for (const std::string& name : file.names("/arrays")) archive.add(read_array(file, name));
+  for (const std::string& name : file.names("/arrays")) archive.add(read_array(file, name, ranks));
   return archive;
 }
 

@@ -12,8 +12,8 @@
 
 #include "scree/base/atomic_file.h"
 #include "scree/base/error.h"
-#include "scree/output/hdf5_file.h"
 #include "scree/output/numbered_file.h"
+#include "scree/output/shared_file.h"
 #include "scree/output/xdmf.h"
 
 namespace scree {
@@ -56,12 +56,32 @@ Storage storage_for(Element element, Compression compression) {
 
 /// One vertex cell per point. ParaView's XDMF 3 reader makes no cells without such a list, and a cloud without cells
 /// is invisible until glyphs are chosen and cannot be filtered.
-void write_vertices(Hdf5File& file, std::uint64_t points, Compression compression) {
-  std::vector<std::int32_t> vertices(points);
-  std::iota(vertices.begin(), vertices.end(), 0);
-  file.write("/vertices", array_view(vertices.data(), points), storage_for(Element::int32, compression));
-  file.set_attribute("/vertices", "units", "1");
-  file.set_attribute("/vertices", "meaning", "0, 1, 2, ...: the cells of ParaView, one per point");
+SharedDataset vertices_of(const FrameRows& rows, std::uint64_t mine, Compression compression) {
+  const auto vertices = std::make_shared<std::vector<std::int32_t>>(mine);
+  std::iota(vertices->begin(), vertices->end(), static_cast<std::int32_t>(rows.first));
+  return {"/vertices",
+          array_view(vertices->data(), mine),
+          rows.first,
+          rows.total,
+          storage_for(Element::int32, compression),
+          {{"units", "1"}, {"meaning", "0, 1, 2, ...: the cells of ParaView, one per point"}},
+          vertices};
+}
+
+/// The datasets of a frame, of which each rank has its rows.
+std::vector<SharedDataset> datasets_of(const FrameRows& rows, Compression compression, std::string_view group) {
+  std::vector<SharedDataset> out;
+  for (const FrameColumn& column : rows.columns)
+    out.push_back({fmt::format("/{}/{}", group, column.name),
+                   column.values,
+                   rows.first,
+                   rows.total,
+                   storage_for(column.values.element, compression),
+                   {{"units", column.unit}, {"meaning", column.meaning}},
+                   column.owner});
+  const std::uint64_t mine = rows.columns.empty() ? 0 : rows.columns.front().values.rows;
+  out.push_back(vertices_of(rows, mine, compression));
+  return out;
 }
 
 /// The XDMF view of a frame on disk.
@@ -125,33 +145,46 @@ FrameWriter FrameWriter::resume(const fs::path& directory, const Domain& domain,
 }
 
 void FrameWriter::write(double time, std::uint64_t step, std::span<const FrameColumn> columns) {
-  XdmfFrame frame{path_in_directory(kind_, count_),
-                  time,
-                  columns.empty() ? 0 : columns.front().values.rows,
-                  {},
-                  std::string(kind_.group)};
-  const std::string group = "/" + frame.group;
-  for (const FrameColumn& column : columns) {
-    if (column.values.rows != frame.points) throw std::logic_error("columns of a frame differ in length");
+  const std::uint64_t rows = columns.empty() ? 0 : columns.front().values.rows;
+  write(time, step, {{columns.begin(), columns.end()}, 0, rows}, {});
+}
+
+void FrameWriter::write(double time, std::uint64_t step, const FrameRows& rows, const Ranks& ranks) {
+  XdmfFrame frame{path_in_directory(kind_, count_), time, rows.total, {}, std::string(kind_.group)};
+  for (const FrameColumn& column : rows.columns) {
+    if (column.values.rows != rows.columns.front().values.rows)
+      throw std::logic_error("columns of a frame differ in length");
     frame.fields.push_back({column.name, column.values.element, column.values.columns});
   }
-  write_atomically(directory_ / frame.file, [&](const fs::path& temporary) {
-    Hdf5File file = Hdf5File::create(temporary);
+  SharedFile out;
+  out.begin = [&](Hdf5File& file) {
     file.set_attribute("/", "format", kind_.format);
     write_header(file, domain_, program_, time, step);
-    file.create_group(group);
-    for (const FrameColumn& column : columns) {
-      const std::string place = group + "/" + column.name;
-      file.write(place, column.values, storage_for(column.values.element, compression_));
-      file.set_attribute(place, "units", column.unit);
-      file.set_attribute(place, "meaning", column.meaning);
-    }
-    write_vertices(file, frame.points, compression_);
-    file.close();
-  });
+    file.create_group("/" + frame.group);
+  };
+  out.datasets = datasets_of(rows, compression_, kind_.group);
+  write_shared(directory_ / frame.file, out, ranks);
   grids_ += xdmf_grid(frame);
   ++count_;
   write_fields_file();
+}
+
+void FrameWriter::write_share(const FrameRows& rows, Compression compression, const FrameKind& kind,
+                              const Ranks& ranks) {
+  SharedFile out;
+  out.datasets = datasets_of(rows, compression, kind.group);
+  write_shared({}, out, ranks);
+}
+
+FrameRows rows_in_order(std::vector<FrameColumn> columns, std::span<const RowKey> keys, const Ranks& ranks) {
+  std::vector<ArrayView> views;
+  for (const FrameColumn& column : columns) views.push_back(column.values);
+  const Slab slab = slab_of(views, keys, ranks);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    columns[k].values = slab.columns[k];
+    if (slab.owner) columns[k].owner = slab.owner;
+  }
+  return {std::move(columns), slab.first, slab.total};
 }
 
 void FrameWriter::write_fields_file() const { write_text_file(directory_ / kind_.document, xdmf_document(grids_)); }

@@ -7,10 +7,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scree/data/domain.h"
 #include "scree/output/element.h"
 #include "scree/output/numbered_file.h"
+#include "scree/output/slab.h"
 
 namespace scree {
 
@@ -22,6 +24,15 @@ struct FrameColumn {
   ArrayView values;
   std::shared_ptr<const void> owner = nullptr;  // of the values, where they are not the caller's
 };
+
+/// Columns whose rows are `first` and following of `total`, where several ranks write a frame.
+struct FrameRows {
+  std::vector<FrameColumn> columns;
+  std::uint64_t first = 0, total = 0;
+};
+
+/// The rows of all ranks in the order of their keys, and what of them this rank writes. To be called by all ranks.
+FrameRows rows_in_order(std::vector<FrameColumn> columns, std::span<const RowKey> keys, const Ranks& ranks);
 
 /// What is squeezed: whole numbers only, nothing, or everything, quickly or as small as it gets. Whole numbers repeat
 /// and shrink to a few percent; the lower digits of floating-point results are noise, and squeezing them costs ten
@@ -58,6 +69,12 @@ class FrameWriter {
   /// Writes the next frame. All columns have the same number of rows, which may differ from frame to frame.
   /// Throws ResourceError.
   void write(double time, std::uint64_t step, std::span<const FrameColumn> columns);
+
+  /// The same, where other ranks write_share() of their rows.
+  void write(double time, std::uint64_t step, const FrameRows& rows, const Ranks& ranks);
+
+  /// What ranks other than the root do while that writes a frame.
+  static void write_share(const FrameRows& rows, Compression compression, const FrameKind& kind, const Ranks& ranks);
 
   /// Frames written so far, those before a restart included: the number of the next frame.
   std::uint64_t count() const { return count_; }

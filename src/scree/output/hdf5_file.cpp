@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 #include <hdf5.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
 #include "scree/base/error.h"
@@ -117,7 +119,44 @@ hid_t text_type(std::string_view text) {
   return type;
 }
 
+int dimensions(const Shape& shape) { return shape.columns == 1 ? 1 : 2; }
+
+Handle how_to_create() {
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_obj_track_times(creation, false);          // the same data give the same bytes at any time of day
+  H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER);  // every element will be written
+  return {creation, H5Pclose};
+}
+
+unsigned level_of(Storage storage) { return storage == Storage::compressed ? quick_level : hard_level; }
+
+void store_in_chunks(hid_t creation, const Shape& shape, Storage storage) {
+  const std::array<hsize_t, 2> chunk = {rows_in_chunk(shape), shape.columns};
+  H5Pset_chunk(creation, dimensions(shape), chunk.data());
+  H5Pset_shuffle(creation);
+  H5Pset_deflate(creation, level_of(storage));
+}
+
 }  // namespace
+
+std::uint64_t rows_in_chunk(const Shape& shape) {
+  return std::clamp<std::uint64_t>(chunk_bytes / (shape.columns * element_size(shape.element)), 1, shape.rows);
+}
+
+std::vector<std::byte> squeeze(const void* data, std::size_t size, Element element, Storage storage) {
+  const auto* from = static_cast<const std::byte*>(data);
+  const std::size_t width = element_size(element), count = size / width;
+  std::vector<std::byte> shuffled(size);
+  for (std::size_t b = 0; b < width; ++b)
+    for (std::size_t i = 0; i < count; ++i) shuffled[b * count + i] = from[i * width + b];
+  uLongf room = compressBound(size);
+  std::vector<std::byte> out(room);
+  if (compress2(reinterpret_cast<Bytef*>(out.data()), &room, reinterpret_cast<const Bytef*>(shuffled.data()), size,
+                static_cast<int>(level_of(storage))) != Z_OK)
+    throw ResourceError("out of memory while a chunk of a file is squeezed");
+  out.resize(room);
+  return out;
+}
 
 Hdf5File::Hdf5File(std::filesystem::path path, std::int64_t handle, bool writing)
     : path_(std::move(path)), handle_(handle), writing_(writing) {}
@@ -168,25 +207,42 @@ void Hdf5File::create_group(const std::string& name) {
   check(group, name);
 }
 
+std::int64_t Hdf5File::create_dataset(const std::string& name, const Shape& shape, std::int64_t creation) {
+  const std::array<hsize_t, 2> extent = {shape.rows, shape.columns};
+  const Handle space(H5Screate_simple(dimensions(shape), extent.data(), nullptr), H5Sclose);
+  return check(H5Dcreate2(handle_, name.c_str(), file_type(shape.element), space, H5P_DEFAULT, creation, H5P_DEFAULT),
+               name);
+}
+
 void Hdf5File::write(const std::string& name, const ArrayView& array, Storage storage) {
-  const std::array<hsize_t, 2> extent = {array.rows, array.columns};
-  const int rank = array.columns == 1 ? 1 : 2;
-  const Handle space(H5Screate_simple(rank, extent.data(), nullptr), H5Sclose);
-  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  H5Pset_obj_track_times(creation, false);          // the same data give the same bytes at any time of day
-  H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER);  // every element is written below
-  if (storage != Storage::plain && array.bytes() > 0) {
-    const hsize_t row_bytes = array.columns * element_size(array.element);
-    const std::array<hsize_t, 2> chunk = {std::clamp<hsize_t>(chunk_bytes / row_bytes, 1, array.rows), array.columns};
-    H5Pset_chunk(creation, rank, chunk.data());
-    H5Pset_shuffle(creation);
-    H5Pset_deflate(creation, storage == Storage::compressed ? quick_level : hard_level);
-  }
-  const Handle dataset(
-      H5Dcreate2(handle_, name.c_str(), file_type(array.element), space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);
-  check(dataset, name);
+  const Handle creation = how_to_create();
+  if (storage != Storage::plain && array.bytes() > 0)
+    store_in_chunks(creation, {array.element, array.rows, array.columns}, storage);
+  const Handle dataset(create_dataset(name, {array.element, array.rows, array.columns}, creation), H5Dclose);
   if (array.bytes() > 0)
     check(H5Dwrite(dataset, memory_type(array.element), H5S_ALL, H5S_ALL, H5P_DEFAULT, array.data), name);
+}
+
+std::uint64_t Hdf5File::reserve(const std::string& name, const Shape& shape) {
+  static_assert(std::endian::native == std::endian::little, "values are written as they lie in memory");
+  const Handle creation = how_to_create();
+  H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY);
+  const Handle dataset(create_dataset(name, shape, creation), H5Dclose);
+  if (shape.rows * shape.columns == 0) return 0;
+  const haddr_t place = H5Dget_offset(dataset);
+  if (place == HADDR_UNDEF) fail(name);
+  return place;
+}
+
+void Hdf5File::write_chunks(const std::string& name, const Shape& shape, Storage storage,
+                            std::span<const std::pair<std::uint64_t, std::span<const std::byte>>> chunks) {
+  const Handle creation = how_to_create();
+  if (!chunks.empty()) store_in_chunks(creation, shape, storage);
+  const Handle dataset(create_dataset(name, shape, creation), H5Dclose);
+  for (const auto& [row, bytes] : chunks) {
+    const std::array<hsize_t, 2> at = {row, 0};
+    check(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, at.data(), bytes.size(), bytes.data()), name);
+  }
 }
 
 void Hdf5File::write_text(const std::string& name, std::string_view text) {
@@ -225,6 +281,10 @@ void Hdf5File::set_attribute(const std::string& object, const std::string& name,
 }
 
 bool Hdf5File::contains(const std::string& name) const { return H5Lexists(handle_, name.c_str(), H5P_DEFAULT) > 0; }
+
+bool Hdf5File::contains_attribute(const std::string& object, const std::string& name) const {
+  return H5Aexists_by_name(handle_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
 
 std::vector<std::string> Hdf5File::names(const std::string& group) const {
   std::vector<std::string> found;
@@ -266,6 +326,18 @@ void Hdf5File::read(const std::string& name, const Shape& shape, void* destinati
   check(dataset, name);
   if (shape.rows * shape.columns == 0) return;
   check(H5Dread(dataset, memory_type(shape.element), H5S_ALL, H5S_ALL, H5P_DEFAULT, destination), name);
+}
+
+void Hdf5File::read_rows(const std::string& name, const Shape& shape, std::uint64_t first, std::uint64_t rows,
+                         void* destination) const {
+  const Handle dataset(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  check(dataset, name);
+  if (rows * shape.columns == 0) return;
+  const std::array<hsize_t, 2> start = {first, 0}, count = {rows, shape.columns};
+  const Handle wanted(H5Dget_space(dataset), H5Sclose);
+  const Handle memory(H5Screate_simple(dimensions(shape), count.data(), nullptr), H5Sclose);
+  check(H5Sselect_hyperslab(wanted, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), name);
+  check(H5Dread(dataset, memory_type(shape.element), memory, wanted, H5P_DEFAULT, destination), name);
 }
 
 std::string Hdf5File::read_text(const std::string& name) const {

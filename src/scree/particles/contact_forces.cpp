@@ -61,7 +61,7 @@ std::vector<ContactForce> contact_forces(const Sample& sample) {
   const ParticleSystem& s = sample.system;
   std::vector<ContactForce> out;
   for (std::size_t c = 0; c < s.contacts.pairs.count; ++c)
-    if (s.contacts.active[c]) out.push_back(of_pair(sample, c));
+    if (s.contacts.active[c] && counts_here(s, c)) out.push_back(of_pair(sample, c));
   for (std::size_t p = 0; p < s.particles.size(); ++p)
     for (std::int32_t w = s.wall_contacts.first[p]; w < s.wall_contacts.first[p + 1]; ++w)
       if (s.wall_contacts.active[w]) out.push_back(of_wall(sample, static_cast<std::int32_t>(p), w));

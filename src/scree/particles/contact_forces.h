@@ -22,7 +22,8 @@ struct ContactForce {
 };
 
 /// The contacts of a sample that was taken with the forces of its contacts: pairs in the order of (lower, higher id),
-/// then walls in that of (id, face). Pairs that touch without force are among them.
+/// then walls in that of (id, face). Pairs that touch without force are among them. Of several ranks each has those
+/// that count there.
 std::vector<ContactForce> contact_forces(const Sample& sample);
 
 }  // namespace scree

@@ -22,27 +22,16 @@ std::vector<std::size_t> order_of(const std::vector<std::int64_t>& keys) {
 
 /// The rows of a table that `order` names, in that order.
 template <class T>
-void pick(std::vector<T>& table, std::size_t rows, const std::vector<std::size_t>& order) {
-  if (table.empty()) return;
-  const std::size_t width = table.size() / rows;
+std::vector<T> picked(const std::vector<T>& table, std::size_t rows, const std::vector<std::size_t>& order) {
   std::vector<T> out;
+  if (table.empty()) return out;
+  const std::size_t width = table.size() / rows;
   out.reserve(width * order.size());
   for (const std::size_t k : order) out.insert(out.end(), &table[width * k], &table[width * k] + width);
-  table = std::move(out);
+  return out;
 }
 
-void pick(KeyedContacts& contacts, const std::vector<std::size_t>& order) {
-  const std::size_t count = contacts.ids.size() / 2;
-  pick(contacts.ids, count, order);
-  pick(contacts.memory, count, order);
-  pick(contacts.couple, count, order);
-  pick(contacts.shape, count, order);
-}
-
-KeyedContacts in_order(KeyedContacts contacts) {
-  pick(contacts, order_of(contacts.ids));
-  return contacts;
-}
+KeyedContacts in_order(const KeyedContacts& contacts) { return rows_of(contacts, order_of(contacts.ids)); }
 
 /// The memory of contact c of a list that holds pairs or walls.
 template <class Contacts>
@@ -91,6 +80,22 @@ KeyedContacts keyed_walls(const ParticleSystem& s, const std::function<bool(std:
   return in_order(std::move(out));
 }
 
+KeyedContacts rows_of(const KeyedContacts& contacts, const std::vector<std::size_t>& rows) {
+  const std::size_t count = contacts.ids.size() / 2;
+  return {picked(contacts.ids, count, rows), picked(contacts.memory, count, rows), picked(contacts.couple, count, rows),
+          picked(contacts.shape, count, rows)};
+}
+
+KeyedContacts in_order_once(KeyedContacts contacts) {
+  const std::vector<std::int64_t>& ids = contacts.ids;
+  std::vector<std::size_t> order = order_of(ids);
+  const auto same = [&](std::size_t a, std::size_t b) {
+    return ids[2 * a] == ids[2 * b] && ids[2 * a + 1] == ids[2 * b + 1];
+  };
+  order.erase(std::unique(order.begin(), order.end(), same), order.end());
+  return rows_of(contacts, order);
+}
+
 RowsById rows_of_held(const Particles& p) {
   RowsById row;
   row.reserve(p.held());
@@ -102,7 +107,7 @@ void keep_held(KeyedContacts& pairs, const RowsById& rows) {
   std::vector<std::size_t> held;
   for (std::size_t c = 0; c < pairs.ids.size() / 2; ++c)
     if (rows.contains(pairs.ids[2 * c]) && rows.contains(pairs.ids[2 * c + 1])) held.push_back(c);
-  pick(pairs, held);
+  pairs = rows_of(pairs, held);
 }
 
 PairContacts pairs_of(const SavedContacts& saved, const RowsById& row, bool rolling, bool shaped) {

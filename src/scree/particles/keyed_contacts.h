@@ -16,6 +16,12 @@ namespace scree {
 KeyedContacts keyed_pairs(const ParticleSystem& system, const std::function<bool(std::size_t pair)>& wanted = {});
 KeyedContacts keyed_walls(const ParticleSystem& system, const std::function<bool(std::size_t particle)>& wanted = {});
 
+/// The rows of `contacts` that are named, in that order.
+KeyedContacts rows_of(const KeyedContacts& contacts, const std::vector<std::size_t>& rows);
+
+/// In the order of their keys, those of equal keys once.
+KeyedContacts in_order_once(KeyedContacts contacts);
+
 /// The same, where it lies.
 struct SavedContacts {
   std::span<const std::int64_t> ids;

@@ -1,6 +1,7 @@
 #include "scree/particles/migration.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <numeric>
 #include <utility>
@@ -74,7 +75,86 @@ void unpack_parcel(const Bytes& parcel, Particles& particles, Luggage& luggage) 
   unpack_contacts(luggage.walls, at);
 }
 
+/// Who has read which ids, where all are in their order from rank to rank.
+class Readers {
+ public:
+  Readers(const Particles& p, const Ranks& ranks) : lowest_(static_cast<std::size_t>(ranks.count()), -1) {
+    if (p.size() > 0) lowest_[static_cast<std::size_t>(ranks.rank())] = static_cast<double>(p.id[0]);
+    ranks.find_largest(lowest_);
+  }
+
+  int of(std::int64_t id) const {
+    int found = 0;
+    for (std::size_t r = 0; r < lowest_.size(); ++r)
+      if (lowest_[r] >= 0 && lowest_[r] <= static_cast<double>(id)) found = static_cast<int>(r);
+    return found;
+  }
+
+ private:
+  std::vector<double> lowest_;  // of each rank; -1 if it has none
+};
+
+/// Sends contacts to the ranks that `wanted(row)` names for each, twice the same or none of them too.
+template <class Wanted>
+KeyedContacts send(const KeyedContacts& contacts, const Ranks& ranks, Wanted&& wanted) {
+  std::vector<std::vector<std::size_t>> rows(static_cast<std::size_t>(ranks.count()));
+  for (std::size_t c = 0; c < contacts.ids.size() / 2; ++c)
+    for (const int rank : wanted(c)) {
+      auto& to = rows[static_cast<std::size_t>(rank)];
+      if (to.empty() || to.back() != c) to.push_back(c);
+    }
+  std::vector<Message> outgoing;
+  for (int r = 0; r < ranks.count(); ++r) {
+    const auto& to = rows[static_cast<std::size_t>(r)];
+    if (to.empty()) continue;
+    outgoing.push_back({r, {}});
+    pack_contacts(rows_of(contacts, to), outgoing.back().bytes);
+  }
+  KeyedContacts out;
+  for (const Message& message : ranks.deliver(outgoing)) unpack_contacts(out, message.bytes.data());
+  return out;
+}
+
 }  // namespace
+
+// Where a particle belongs knows who has read it: contacts go there first.
+Luggage bring_home(ParticleSystem& s, const Luggage& read, const Blocks& blocks, const Ranks& ranks) {
+  Particles& p = s.particles;
+  const Readers readers(p, ranks);
+  const std::vector<std::int64_t>&pair = read.pairs.ids, &wall = read.walls.ids;
+  Luggage passing, home;
+  passing.pairs = send(read.pairs, ranks, [&](std::size_t c) {
+    return std::array{readers.of(pair[2 * c]), readers.of(pair[2 * c + 1])};
+  });
+  passing.walls = send(read.walls, ranks, [&](std::size_t c) { return std::array{readers.of(wall[2 * c])}; });
+  const RowsById rows = rows_of_held(p);
+  const auto owners = [&](std::span<const std::int64_t> ids) {
+    std::vector<int> out;
+    for (const std::int64_t id : ids)
+      if (const auto row = rows.find(id); row != rows.end())
+        out.push_back(blocks.owner(p.motion.row(static_cast<std::size_t>(row->second))));
+    return out;
+  };
+  const auto ids_of = [](const KeyedContacts& contacts, std::size_t c, std::size_t count) {
+    return std::span(contacts.ids).subspan(2 * c, count);
+  };
+  home.pairs =
+      in_order_once(send(passing.pairs, ranks, [&](std::size_t c) { return owners(ids_of(passing.pairs, c, 2)); }));
+  home.walls = send(passing.walls, ranks, [&](std::size_t c) { return owners(ids_of(passing.walls, c, 1)); });
+  std::vector<std::vector<std::int32_t>> to(static_cast<std::size_t>(ranks.count()));
+  for (std::size_t i = 0; i < p.size(); ++i)
+    to[static_cast<std::size_t>(blocks.owner(p.motion.row(i)))].push_back(static_cast<std::int32_t>(i));
+  std::vector<Message> outgoing;
+  for (int r = 0; r < ranks.count(); ++r)
+    if (auto& parcel = to[static_cast<std::size_t>(r)]; !parcel.empty())
+      outgoing.push_back({r, pack_parcel(p, {std::move(parcel), {}})});
+  Particles here(p.shaped());
+  for (const Message& message : ranks.deliver(outgoing)) unpack_parcel(message.bytes, here, home);
+  p = std::move(here);
+  s.contacts = with_no_memory({}, s.contacts);
+  s.wall_contacts = {};
+  return home;
+}
 
 Luggage keep_share(ParticleSystem& s, const Blocks& blocks, const Ranks& ranks) {
   Particles& p = s.particles;

@@ -14,6 +14,11 @@ namespace scree {
 /// take part in.
 Luggage keep_share(ParticleSystem& system, const Blocks& blocks, const Ranks& ranks);
 
+/// Sends particles and contacts of which every rank has read some to where they belong. Those in `system` are in the
+/// order of ids, from rank to rank; `read` are contacts of any particles, each of them on one rank. Returns the
+/// contacts that the particles which are here now take part in.
+Luggage bring_home(ParticleSystem& system, const Luggage& read, const Blocks& blocks, const Ranks& ranks);
+
 /// Sends particles that have left this rank's block, except those marked in `gone`, to the ranks in whose blocks they
 /// are, and marks them; adds those that come, with what their contacts remember.
 void migrate(ParticleSystem& system, const Blocks& blocks, const Ranks& ranks, std::vector<std::uint8_t>& gone,

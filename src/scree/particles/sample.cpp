@@ -7,6 +7,7 @@
 
 #include "scree/base/exact_sum.h"
 #include "scree/compute/launch.h"
+#include "scree/mpi/together.h"
 #include "scree/particles/contact_state.h"
 #include "scree/particles/hard/sample.h"
 #include "scree/particles/rows.h"
@@ -44,7 +45,7 @@ void add_outside_forces(Sample& sample, const sc_move& move, const sc_field* fie
 }
 
 /// Sums what every contact does to its wall.
-std::vector<WallLoad> loads_of(const ParticleSystem& s, const Buffer<double>& load) {
+std::vector<WallLoad> loads_of(const ParticleSystem& s, const Buffer<double>& load, const Ranks& ranks) {
   struct Sums {
     std::array<ExactSum, 3> force, torque;
   };
@@ -57,6 +58,7 @@ std::vector<WallLoad> loads_of(const ParticleSystem& s, const Buffer<double>& lo
       of.torque[k].add(load[8 * w + 4 + k]);
     }
   }
+  for (Sums& of : sums) add_up_sums(of, ranks);
   std::vector<WallLoad> out(sums.size());
   for (std::size_t b = 0; b < sums.size(); ++b)
     for (int k = 0; k < 3; ++k) {
@@ -89,11 +91,11 @@ SweepFindings sweep_apart(const ContactLists& lists, SweepView view, Sample& out
 
 }  // namespace
 
-StoredEnergy stored_energy(const ParticleSystem& s) {
+StoredEnergy stored_energy(const ParticleSystem& s, const Ranks& ranks) {
   std::vector<StoredSums> part(omp_get_max_threads());
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < s.contacts.pairs.count; ++c)
-    if (s.contacts.active[c]) part[omp_get_thread_num()].add(energy_of_pair(s, c));
+    if (s.contacts.active[c] && counts_here(s, c)) part[omp_get_thread_num()].add(energy_of_pair(s, c));
   const WallContacts& walls = s.wall_contacts;
   for (std::size_t i = 0; i < s.particles.size(); ++i)
     for (std::int32_t w = walls.first[i]; w < walls.first[i + 1]; ++w)
@@ -103,6 +105,7 @@ StoredEnergy stored_energy(const ParticleSystem& s) {
     all.elastic.add(one.elastic);
     all.cohesive.add(one.cohesive);
   }
+  add_up_sums(all, ranks);
   return {all.elastic.value(), all.cohesive.value()};
 }
 
@@ -110,7 +113,8 @@ void take_sample(const ParticleSystem& system, ContactLists& lists, sc_move move
                  const sc_field* field, Sample& out) {
   if (system.hard) {
     take_hard_sample(system, lists, time.dt, out);
-    out.wall_loads = loads_of(out.system, out.wall_load);
+    out.findings = agree(lists.ranks, out.findings);
+    out.wall_loads = loads_of(out.system, out.wall_load, lists.ranks);
     add_outside_forces(out, move, field);
     return;
   }
@@ -125,10 +129,12 @@ void take_sample(const ParticleSystem& system, ContactLists& lists, sc_move move
   Buffer<double> load(8 * out.system.wall_contacts.wall.size());
   view.walls.load = load.data();
   out.findings = out.with_contact_forces ? sweep_apart(lists, view, out) : sweep(lists.kernels, view, lists.plan);
-  out.wall_loads = loads_of(out.system, load);
+  for (const std::int32_t c : lists.counted_elsewhere) out.findings.contacts -= out.system.contacts.active[c] != 0;
+  out.findings = agree(lists.ranks, out.findings);
+  out.wall_loads = loads_of(out.system, load, lists.ranks);
   if (out.with_contact_forces) out.wall_load = std::move(load);
   add_outside_forces(out, move, field);
-  out.stored = stored_energy(out.system);
+  out.stored = stored_energy(out.system, lists.ranks);
 }
 
 }  // namespace scree

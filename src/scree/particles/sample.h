@@ -23,7 +23,8 @@ struct WallLoad {
 /// A copy of the system in which every velocity, spring and account belongs to the time of the positions.
 ///
 /// The leapfrog keeps velocities half a step behind the positions. The copy has had the half kick that is due, from the
-/// very pass that would make the next step, without a drift.
+/// very pass that would make the next step, without a drift. Of several ranks each has a sample of its own particles;
+/// what is of the whole, wall_loads, stored and findings.contacts and .deepest, the root has.
 struct Sample {
   ParticleSystem system;
   Buffer<double> force;              // [n][4]: total force of contacts, fields and drag x y z on each particle [N]
@@ -37,11 +38,11 @@ struct Sample {
 };
 
 /// Brings `out` to the present state of `system`; the slots of `lists` serve as scratch. `move` and `time` are those of
-/// the next step; `field` as in a pass.
+/// the next step; `field` as in a pass. To be called by all ranks, with copies of others' particles that are current.
 void take_sample(const ParticleSystem& system, ContactLists& lists, sc_move move, sc_contact_time time,
                  const sc_field* field, Sample& out);
 
-/// Energy in the springs and cohesive bonds of all contacts, an exact sum.
-StoredEnergy stored_energy(const ParticleSystem& system);
+/// Energy in the springs and cohesive bonds of all contacts of all ranks, an exact sum; at the root.
+StoredEnergy stored_energy(const ParticleSystem& system, const Ranks& ranks = {});
 
 }  // namespace scree

@@ -90,7 +90,7 @@ SweepFindings find(const ParticleSystem& s) {
   const Particles& p = s.particles;
   for (std::size_t c = 0; c < s.contacts.pairs.count; ++c) {
     if (!s.contacts.active[c]) continue;
-    ++out.contacts;
+    out.contacts += counts_here(s, c);
     const std::int32_t i = s.contacts.pairs.owner[c], j = s.contacts.pairs.partner[c];
     const double smaller = std::min(inscribed_radius(p, i, s.forms), inscribed_radius(p, j, s.forms));
     out.deepest = std::max(out.deepest, overlap_of_pair(s, c) / smaller);
