@@ -1,10 +1,10 @@
 # Runs on several processes: the same results for any number of them, restarts on another number, one message for what
-# goes wrong.
-# Files that they write at once, and disks that are full.
+# goes wrong; files that they write at once, and disks that are full; ten thousand steps.
 if(SCREE_MPI)
-  foreach(name ranks ranks_files)
+  foreach(name ranks ranks_files ranks_long)
     add_test(NAME script.${name} COMMAND /usr/bin/python3 -B ${CMAKE_CURRENT_LIST_DIR}/${name}_test.py
                                          $<TARGET_FILE:scree> ${MPIEXEC_EXECUTABLE})
     set_tests_properties(script.${name} PROPERTIES LABELS quick ENVIRONMENT OMP_WAIT_POLICY=passive)
   endforeach()
+  set_tests_properties(script.ranks_long PROPERTIES LABELS long TIMEOUT 3600)
 endif()

@@ -50,6 +50,9 @@ class OnSeveralRanks(Ranks):
     def test_shapes_have_the_same_bits_and_files_on_any_number(self):
         self.same_on_all(SHAPES, (2, 4))
 
+    def test_contacts_by_vertices_have_the_same_bits_and_files_on_any_number(self):
+        self.same_on_all(SHAPES + '[contact]\ndetection = "vertices"\nvertices = 12\n', (2, 3))
+
     def goes_on(self, case, until, on=(2, 3)):
         whole = self.run_on(0, case, "whole")
         self.run_on(on[0], case, "parts", "--until", str(until))
