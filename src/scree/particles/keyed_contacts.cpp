@@ -58,7 +58,7 @@ KeyedContacts keyed_pairs(const ParticleSystem& s, const std::function<bool(std:
     const double* shape = &s.contacts.shape[pair_memory * c];
     out.shape.insert(out.shape.end(), shape, shape + pair_scratch);
   }
-  return in_order(std::move(out));
+  return in_order(out);
 }
 
 KeyedContacts keyed_walls(const ParticleSystem& s, const std::function<bool(std::size_t)>& wanted) {
@@ -77,7 +77,7 @@ KeyedContacts keyed_walls(const ParticleSystem& s, const std::function<bool(std:
       out.shape.insert(out.shape.end(), shape, shape + wall_scratch);
     }
   }
-  return in_order(std::move(out));
+  return in_order(out);
 }
 
 KeyedContacts rows_of(const KeyedContacts& contacts, const std::vector<std::size_t>& rows) {
