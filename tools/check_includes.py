@@ -15,10 +15,11 @@ MAY_INCLUDE = {
     "mpi": "data compute base",
     "particles": "mpi data compute kernels physics base",
     "fluid": "mpi data compute kernels physics base",
+    "coupling": "particles fluid mpi data compute kernels physics base",
     "analysis": "particles fluid mpi data base",
     "output": "mpi data base",
     "input": "data physics base",
-    "app": "input output analysis particles fluid mpi data compute kernels physics base",
+    "app": "input output analysis coupling particles fluid mpi data compute kernels physics base",
 }
 # The only file of the shared text that knows the compiler and so may include the compiler's headers.
 COMPILER_FILE = "physics/device.h"

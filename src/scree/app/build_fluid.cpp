@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -151,6 +152,29 @@ FluidSettings build_fluid_settings(const Case& c) {
   s.correctors = static_cast<int>(k.correctors);
   s.bicgstab = k.pressure_solver == "bicgstab";
   return s;
+}
+
+double given_speed(const Case& c, const FluidRegion& r) {
+  double fastest = 0;
+  const FluidSettings s = build_fluid_settings(c);
+  for (std::size_t p = 0; p < r.patches.size(); ++p) {
+    const CellBox& box = r.patches[p].cells;
+    for (const CellBox& cell : {CellBox{box.low, box.low}, CellBox{box.high, box.high}}) {
+      std::array<double, 3> x{}, middle{};
+      double at_corner = 0, at_middle = 0;
+      for (int a = 0; a < 3; ++a) {
+        x[a] = r.grid.faces[a][cell.low[a]];
+        middle[a] = 0.5 * (r.grid.faces[a][box.low[a]] + r.grid.faces[a][box.high[a]]);
+      }
+      for (int a = 0; a < 3; ++a)
+        if (s.patches[p].velocity[a]) {
+          at_corner += std::pow(s.patches[p].velocity[a](x, 0), 2);
+          at_middle += std::pow(s.patches[p].velocity[a](middle, 0), 2);
+        }
+      fastest = std::max({fastest, std::sqrt(at_corner), std::sqrt(at_middle)});
+    }
+  }
+  return fastest;
 }
 
 }  // namespace scree

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "scree/app/coupling_report.h"
 #include "scree/app/derived.h"
 #include "scree/app/formula_check.h"
 #include "scree/app/idle_keys.h"
@@ -337,6 +338,8 @@ Lines all_lines(const Case& c, const Derived& d, const std::optional<OutputPlace
   say_places(c, d, lines);
   say_formulas(c, lines);
   say_fluid(c, d, lines);
+  for (const CouplingNote& note : coupling_notes(c, d))
+    lines.push_back({note.label, note.value, warn_if(!note.remedy.empty()), note.remedy});
   say_lift(c, d, lines);
   if (d.cohesion) say_cohesion(*d.cohesion, lines);
   say_reach_of_cohesion(c, d, lines);

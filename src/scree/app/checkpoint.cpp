@@ -1,6 +1,7 @@
 // Saving a simulation, continuing it, and the hash that tells whether two are the same to the last bit.
 #include <fmt/format.h>
 
+#include "scree/app/fluid_checkpoint.h"
 #include "scree/app/simulation.h"
 #include "scree/app/take_over.h"
 #include "scree/base/error.h"
@@ -37,6 +38,7 @@ StateShare Simulation::share() {
   out.head.set("groups", group_names(case_));
   save_forms(system.forms, out.head);
   exchange_.save(out.head);
+  if (coupling_) put_coupling(*coupling_, out.head);
   return out;
 }
 
@@ -116,6 +118,13 @@ void Simulation::restore_contacts(const Archive& archive) {
   system_.wall_contacts = walls_of(contacts_in(archive, "wall", wall_scratch, shaped, ranks_), rows, system_.particles,
                                    system_.walls.size());
   settle();
+  if (!coupling_) return;
+  restore_coupling(*coupling_, archive);
+}
+
+std::string Simulation::fluid_hash() const {
+  call(Call::fluid_hash);
+  return scree::fluid_hash(coupling_->fluid);
 }
 
 /// Of several ranks each has read some particles and some contacts; all go where they belong.

@@ -110,7 +110,7 @@ Command declare_check(CLI::App& app) {
   c->add_option("-o,--output", *directory, "where the results would go [runs/NAME]");
   return {"check", [=] {
             const Case loaded = load_case(arguments->file, arguments->set);
-            if (solves_flow(loaded)) {
+            if (solves_flow(loaded) && !couples(loaded)) {
               print(fluid_report(loaded));
               return static_cast<int>(Exit::success);
             }

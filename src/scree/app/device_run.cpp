@@ -72,6 +72,7 @@ void refuse_on_device(const Case& c) {
   if (c.gravity.type != "none" && c.gravity.type != "uniform")
     refuse(c, "gravity.type", "body forces other than uniform gravity are");
   if (c.flow.type == "expression") refuse(c, "flow.type", "flows by formula are");
+  if (couples(c)) refuse(c, "fluid.type", "particles in a flow that is solved for are");
   if (c.flow.buoyancy) refuse(c, "flow.buoyancy", "buoyancy is");
   if (!c.analysis.planes.empty()) refuse(c, "analysis.planes.0.point", "counting planes are");
 }

@@ -70,7 +70,7 @@ Newcomers Exchange::newcomers(const ParticleSystem& system, const Ranks& ranks, 
   setting.forms = system.forms;
   setting.fluid = [&](const std::array<double, 3>& x) { return flow_velocity(fields, x.data(), time); };
   Newcomers out;
-  out.particles = Particles(system.particles.shaped());
+  out.particles = system.particles.none_alike();
   out.next_id = next_id_;
   for (std::size_t f = 0; f < feeds_.size(); ++f) {
     const auto near = in_the_way({feeds_[f], groups_[f], setting, time, system.particles, gone}, states[f]);

@@ -35,6 +35,16 @@ void for_each_field(State& s, Visit&& visit) {
   visit("fluid_eddies_modelled", 3, s.eddies_modelled);
 }
 
+/// What particles have done to the fluid, and what it has of those that have left. Calls visit(name, field).
+template <class Coupling, class Visit>
+void for_each_shared_field(Coupling& c, Visit&& visit) {
+  visit("coupling_drag", c.fluid.load.drag);
+  for (int a = 0; a < 3; ++a) {
+    visit(fmt::format("coupling_push_{}", axes[a]), c.fluid.load.push[a]);
+    visit(fmt::format("coupling_returned_{}", axes[a]), c.returned[a]);
+  }
+}
+
 std::vector<double> gather(const FluidSolver& s, int axis, const Field& field) {
   return axis == 3 ? gather_cells(s, field) : gather_faces(s, axis, field);
 }
@@ -46,6 +56,14 @@ Archive save_fluid(const FluidSolver& s) {
   out.set("step", s.state.step);
   out.set("time", s.state.time);
   out.set("time_step", s.state.last_dt);
+  put_fluid(s, out);
+  return out;
+}
+
+void put_fluid(const FluidSolver& s, Archive& out) {
+  out.set("fluid_step", s.state.step);
+  out.set("fluid_time", s.state.time);
+  out.set("fluid_time_step", s.state.last_dt);
   out.set("fluid_pace", s.state.pace);
   for_each_field(s.state,
                  [&](const std::string& name, int axis, const Field& field) { out.put(name, gather(s, axis, field)); });
@@ -57,14 +75,13 @@ Archive save_fluid(const FluidSolver& s) {
   for (const ScalarState& scalar : s.state.scalars)
     books.insert(books.end(), {scalar.books.content, scalar.books.change, scalar.books.error, scalar.books.turned});
   out.put("fluid_books", std::move(books));
-  return out;
 }
 
 void restore_fluid(FluidSolver& s, const Archive& archive) {
   FluidState& st = s.state;
-  st.step = archive.integer("step");
-  st.time = archive.number("time");
-  st.last_dt = archive.number("time_step");
+  st.step = archive.integer("fluid_step");
+  st.time = archive.number("fluid_time");
+  st.last_dt = archive.number("fluid_time_step");
   st.pace = archive.number("fluid_pace");
   for_each_field(st, [&](const std::string& name, int axis, Field& field) {
     const std::span<const double> whole = archive.get<double>(name);
@@ -107,6 +124,25 @@ void restore_averages(const FluidSolver& s, const Archive& archive, FluidAverage
   averages.time = archive.number("fluid_average_time");
   for_each_average(averages,
                    [&](const std::string& name, Field& field) { scatter_cells(s, archive.get<double>(name), field); });
+}
+
+void put_coupling(const FluidCoupling& coupling, Archive& out) {
+  put_fluid(coupling.fluid, out);
+  for_each_shared_field(coupling, [&](const std::string& name, const Field& field) {
+    out.put(name, gather_cells(coupling.fluid, field));
+  });
+  const CouplingBooks& b = coupling.books;
+  out.put("coupling_books",
+          std::vector<double>{b.error[0], b.error[1], b.error[2], b.turned, b.crowded, b.least_fraction});
+}
+
+void restore_coupling(FluidCoupling& coupling, const Archive& archive) {
+  for_each_shared_field(coupling, [&](const std::string& name, Field& field) {
+    scatter_cells(coupling.fluid, archive.get<double>(name), field);
+  });
+  restore_fluid(coupling.fluid, archive);
+  const std::span<const double> b = archive.get<double>("coupling_books");
+  coupling.books = {{b[0], b[1], b[2]}, b[3], b[4], b[5]};
 }
 
 std::string fluid_hash(const FluidSolver& s) {

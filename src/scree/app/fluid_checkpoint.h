@@ -3,14 +3,21 @@
 
 #include <string>
 
+#include "scree/coupling/coupling.h"
 #include "scree/fluid/averages.h"
-#include "scree/fluid/solver.h"
 #include "scree/output/archive.h"
 
 namespace scree {
 
 /// Everything that continuing to the last bit needs, at the root; to be called by all ranks.
 Archive save_fluid(const FluidSolver& s);
+
+/// Adds the fluid to an archive that has a step and a time of its own.
+void put_fluid(const FluidSolver& s, Archive& archive);
+
+/// The same of a fluid with particles in it, which are saved elsewhere.
+void put_coupling(const FluidCoupling& coupling, Archive& archive);
+void restore_coupling(FluidCoupling& coupling, const Archive& archive);
 
 /// Continues from what save_fluid() gave, on any number of ranks.
 void restore_fluid(FluidSolver& s, const Archive& archive);

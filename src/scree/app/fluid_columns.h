@@ -1,6 +1,7 @@
 // The columns of series.csv of a fluid: names, and values from the state.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,14 @@ struct FluidTally {
   double change = 0;      // of the last step, see fluid.steady
   double courant = 0;     // of the last step
 };
+
+/// Counts a step.
+inline void count(FluidTally& tally, const StepReport& report) {
+  ++tally.steps;
+  tally.pressure_iterations += report.pressure_iterations;
+  tally.viscous_iterations += report.viscous_iterations;
+  tally.divergence = std::max(tally.divergence, report.divergence);
+}
 
 std::vector<std::string> fluid_columns(const Case& c);
 

@@ -116,10 +116,7 @@ void FluidOutputs::write_row(const FluidSolver& s, FluidTally& tally) {
   if (series_) series_->append(row);
 }
 
-void FluidOutputs::write_frame(const FluidSolver& s) {
-  if (frame_step_ == s.state.step) return;
-  frame_step_ = s.state.step;
-  const bool single = case_.output.precision == "single";
+std::vector<FrameColumn> fluid_frame(const FluidSolver& s, bool single) {
   std::vector<FrameColumn> columns;
   columns.push_back(
       column(single, "velocity", "m/s", "velocity of the fluid", gather_rows(s, components(s.state.velocity)), 3));
@@ -138,6 +135,14 @@ void FluidOutputs::write_frame(const FluidSolver& s) {
         column(single, "eddy_viscosity", "Pa s", "of eddies smaller than the cells", gather_cells(s, s.work.eddies)));
   columns.push_back(column_of<std::uint8_t>("fluid", "1", "1 where there is fluid, 0 in bodies and beyond blocks",
                                             gather_cells(s, s.mesh.fluid), 1));
+  return columns;
+}
+
+void FluidOutputs::write_frame(const FluidSolver& s) {
+  if (frame_step_ == s.state.step) return;
+  frame_step_ = s.state.step;
+  const bool single = case_.output.precision == "single";
+  std::vector<FrameColumn> columns = fluid_frame(s, single);
   if (averages_) add_averages(s, *averages_, single, columns);
   if (frames_) frames_->write(s.state.time, static_cast<std::uint64_t>(s.state.step), columns);
 }

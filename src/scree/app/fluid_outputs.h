@@ -14,6 +14,9 @@
 
 namespace scree {
 
+/// What a frame shows of the fluid; to be called by all ranks.
+std::vector<FrameColumn> fluid_frame(const FluidSolver& s, bool single);
+
 class FluidOutputs {
  public:
   /// Opens the files of a run. `directory` is there at the root only. With `archive` the run continues from it.

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "scree/app/build_coupling.h"
 #include "scree/app/build_fluid.h"
 #include "scree/app/fluid_checkpoint.h"
 #include "scree/app/fluid_outputs.h"
@@ -20,7 +21,6 @@
 #include "scree/fluid/buoyancy.h"
 #include "scree/fluid/scalar.h"
 #include "scree/fluid/scalar_measure.h"
-#include "scree/input/located.h"
 #include "scree/input/write.h"
 
 namespace scree {
@@ -126,10 +126,7 @@ class FluidRun {
     report_ = advance(solver_, dt);
     solver_.state.time = time;
     outputs_->note_step(solver_);
-    ++tally_.steps;
-    tally_.pressure_iterations += report_.pressure_iterations;
-    tally_.viscous_iterations += report_.viscous_iterations;
-    tally_.divergence = std::max(tally_.divergence, report_.divergence);
+    count(tally_, report_);
   }
 
   /// Fills in what only rows and the end of a steady flow need.
@@ -262,13 +259,7 @@ class FluidRun {
 
 RunResult run_fluid(const Case& c, const RunOptions& options) {
   const auto begin = WallClock::now();
-  if (!has_pressure_solver())
-    throw error_at(c, "fluid.type",
-                   {"E192",
-                    {},
-                    "this program cannot solve for a flow: it was built without hypre",
-                    "needs the library hypre and MPI",
-                    "install libhypre-dev and build again with -DSCREE_MPI=ON"});
+  expect_flow_solver(c);
   const double end = options.until.value_or(c.simulation.end);
   const int threads = threads_of(options);
   omp_set_num_threads(threads);

@@ -5,6 +5,7 @@
 
 #include "scree/data/vertices.h"
 #include "scree/particles/fields.h"
+#include "scree/physics/drag/crowded.h"
 
 namespace scree {
 
@@ -28,6 +29,13 @@ inline FlowKind flow_kind(const std::string& name) {
 inline int drag_law(const std::string& name) {
   if (name == "stokes") return SC_DRAG_STOKES;
   if (name == "schiller_naumann") return SC_DRAG_SCHILLER_NAUMANN;
+  if (name == "ergun") return SC_DRAG_ERGUN;
+  if (name == "wen_yu") return SC_DRAG_WEN_YU;
+  if (name == "gidaspow") return SC_DRAG_GIDASPOW;
+  if (name == "gidaspow_blend") return SC_DRAG_GIDASPOW_BLEND;
+  if (name == "di_felice") return SC_DRAG_DI_FELICE;
+  if (name == "beetstra") return SC_DRAG_BEETSTRA;
+  if (name == "syamlal_obrien") return SC_DRAG_SYAMLAL_OBRIEN;
   return SC_DRAG_NONE;
 }
 

@@ -5,7 +5,9 @@
 #include <numeric>
 
 #include "scree/analysis/measure.h"
+#include "scree/app/build_fluid.h"
 #include "scree/app/columns.h"
+#include "scree/app/coupling_columns.h"
 #include "scree/app/wall_surface.h"
 #include "scree/base/error.h"
 #include "scree/input/record.h"
@@ -54,6 +56,8 @@ Outputs::Outputs(const Case& c, const RunDirectory& directory, const Clock& cloc
       contacts_.emplace(
           FrameWriter::create(directory.path(), domain, program_name(), compression_of(c.output), contact_frames));
   }
+  if (couples(c))
+    fields_.emplace(directory.path(), build_fluid_region(c).grid.faces, program_name(), archive ? now : -1.0);
   row_due_ = first_due(series_interval_, clock.step, clock.dt);
   frame_due_ = c.output.frames > 0 ? first_due(c.output.frames, clock.step, clock.dt) : (clock.step == 0 ? 0 : never);
   checkpoint_due_ = next_due(clock.step, c.output.checkpoints, clock.dt);
@@ -132,6 +136,7 @@ void Outputs::append_row(Simulation& simulation) {
   }
   measures_.count(simulation);
   row.measures = measures_.row(simulation, facts.regions);
+  if (simulation.coupling()) row.fluid = fluid_row_ = simulation.fluid_row();
   series_->append(values_of(row));
   if (tracks_) tracks_->append(facts.tracks);
   row_step_ = clock.step;
@@ -158,6 +163,9 @@ void Outputs::write_frame(Simulation& simulation) {
     surfaces_->write(clock.now(), frames_->count(),
                      wall_surface(simulation.system().walls, simulation.system().domain));
   simulation.write_frame(*frames_, contacts_ ? &*contacts_ : nullptr);
+  if (fields_)
+    fields_->write(clock.now(), static_cast<std::uint64_t>(clock.step),
+                   simulation.fluid_frame(case_.output.precision == "single"));
   frame_step_ = clock.step;
 }
 
@@ -206,6 +214,10 @@ bool Outputs::show_failure(Simulation& simulation) {
   if (row_step_ != simulation.clock().step) append_row(simulation);
   write_frame(simulation);
   return true;
+}
+
+std::string Outputs::note() const {
+  return fluid_row_.empty() ? ledger_line(row_) : coupled_note(fluid_row_) + "; " + ledger_line(row_);
 }
 
 std::string Outputs::latest_checkpoint() const {

@@ -12,6 +12,7 @@
 #include "scree/app/measures.h"
 #include "scree/app/simulation.h"
 #include "scree/app/sticking.h"
+#include "scree/output/field_frames.h"
 #include "scree/output/frames.h"
 #include "scree/output/run_directory.h"
 #include "scree/output/series.h"
@@ -50,6 +51,9 @@ class Outputs {
   /// What was measured last; the work of body forces counts from the start, as all exchanges do.
   Measured measured() const;
 
+  /// What the progress of a run shows: the pressure that the particles cost, and the balance of the books.
+  std::string note() const;
+
   /// True when enough particles are in agglomerates for the case to end.
   bool agglomerated() const { return agglomerated_; }
 
@@ -70,6 +74,7 @@ class Outputs {
   std::optional<SeriesWriter> series_, tracks_, sizes_;
   std::optional<FrameWriter> frames_, contacts_;
   std::optional<SurfaceWriter> surfaces_;
+  std::optional<FieldFrameWriter> fields_;
   Measures measures_;
   std::int64_t row_due_ = 0, frame_due_ = 0, checkpoint_due_ = 0, books_due_ = 0;
   std::int64_t row_step_ = -1, frame_step_ = -1, checkpoint_step_ = -1;
@@ -81,6 +86,7 @@ class Outputs {
   std::optional<Archive> last_good_;             // what is added to the state that the simulation has kept
   std::int64_t last_good_step_ = -1;
   bool agglomerated_ = false;
+  std::vector<double> fluid_row_;  // of the last row
 };
 
 }  // namespace scree

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "scree/app/build_coupling.h"
 #include "scree/app/derived.h"
 #include "scree/app/device_run.h"
 #include "scree/app/fluid_run.h"
@@ -61,6 +62,16 @@ void fill_summary(const RunLoop& run, Summary& s) {
   s.threads = sim.threads();
   s.ledger = ledger_of(run.outputs);
   s.state_hash = sim.state_hash();
+  if (const FluidCoupling* coupling = sim.coupling()) {
+    const FluidBooks& b = coupling->fluid.state.books;
+    const CouplingBooks& e = coupling->books;
+    s.cells = static_cast<std::uint64_t>(coupling->fluid.mesh.cells);
+    s.fluid_hash = sim.fluid_hash();
+    s.ledger.insert(s.ledger.end(), {{"fluid_mass_error", coupling->fluid.settings.density * b.error[3]},
+                                     {"fluid_momentum_error", std::hypot(b.error[0], b.error[1], b.error[2])},
+                                     {"fluid_divergence", coupling->report.divergence},
+                                     {"coupling_error", std::hypot(e.error[0], e.error[1], e.error[2])}});
+  }
   s.ended = timestamp_now();
 }
 
@@ -184,7 +195,7 @@ RunResult conduct(Simulation& simulation, const Beginning& beginning, const RunO
   if (!options.quiet) progress.emplace(detect_progress(stderr), simulation.clock().now(), end);
   const InterruptGuard interrupt;
   run_to_stop(run, options, interrupt, progress ? &*progress : nullptr, result);
-  if (progress) progress->finish(simulation.clock().now(), run.particle_steps, ledger_line(outputs.balance()));
+  if (progress) progress->finish(simulation.clock().now(), run.particle_steps, outputs.note());
   fill_summary(run, result.summary);
   result.summary.wall_seconds = seconds_since(begin);
   finish_summary(directory, result);
@@ -206,7 +217,8 @@ RunResult follow(Simulation& simulation) {
 }  // namespace
 
 RunResult run_case(const Case& c, const RunOptions& options) {
-  if (solves_flow(c)) return run_fluid(c, options);
+  if (solves_flow(c) && !couples(c)) return run_fluid(c, options);
+  if (couples(c)) expect_flow_solver(c);
   const auto begin = WallClock::now();
   const double end = options.until.value_or(c.simulation.end);
   const int threads = threads_of(options);

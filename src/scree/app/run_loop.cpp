@@ -46,8 +46,7 @@ Stop RunLoop::advance(const InterruptGuard& interrupt, Progress* progress) {
     particle_steps += static_cast<std::uint64_t>(simulation.particles());
     outputs.write_due(simulation);
     limit.note(step, lap());
-    if (progress && progress->due())
-      progress->update(simulation.clock().now(), particle_steps, ledger_line(outputs.balance()));
+    if (progress && progress->due()) progress->update(simulation.clock().now(), particle_steps, outputs.note());
     if (simulation.clock().step < end_step && limit.reached()) return Stop::wall_time;
   }
   return Stop::end;

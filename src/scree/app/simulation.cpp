@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scree/app/build_coupling.h"
+#include "scree/app/build_fluid.h"
+#include "scree/app/coupling_columns.h"
 #include "scree/app/derived.h"
 #include "scree/app/device_run.h"
+#include "scree/app/fluid_outputs.h"
 #include "scree/app/guard.h"
 #include "scree/app/models.h"
 #include "scree/app/take_over.h"
@@ -28,11 +32,20 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const R
   // What there is at all only all particles tell; where sizes matter, every rank has read them all.
   if (resumed) saved = particles_of(*resumed, takes_over(c) ? Ranks() : ranks);
   const std::vector<BodyKind> kinds = body_kinds(c, saved ? &*saved : nullptr);
-  clock_.dt = resumed && takes_over(c) ? resumed->number("time_step") : time_step_of(c, system_.materials, kinds, system_.walls);
+  clock_.dt = resumed && takes_over(c) ? resumed->number("time_step")
+                                       : time_step_of(c, system_.materials, kinds, system_.walls);
+  if (couples(c)) {
+    coupling_ = std::make_unique<FluidCoupling>(build_fluid_region(c), build_loaded_fluid(c),
+                                                build_coupling_settings(c, kinds, clock_.dt), system_.forms, ranks);
+    system_.particles.couple();
+    fields_.drag = SC_DRAG_OF_FIELD;
+  }
   typical_impact_ = scree::typical_impact(c, system_.materials, kinds);
   sample_.with_contact_forces = whole_sample_.with_contact_forces = c.output.contacts || !c.analysis.averages.empty();
   for (const RegionKeys& keys : c.analysis.regions) regions_.push_back({keys.min, keys.max});
-  if (!resumed) settle();
+  if (resumed) return;
+  settle();
+  if (coupling_) begin_coupling(*coupling_, system_.particles, place_formulas(c.fluid.velocity));
 }
 
 void Simulation::step() {
@@ -48,6 +61,7 @@ void Simulation::advance() {
   move_walls(clock_.now());
   exchange_particles();
   refresh_neighbours();
+  step_fluid();
   if (!prescribed_.empty()) together([&] { look_ahead(prescribed_, system_.particles, clock_.now(), clock_.dt); });
   system_.hard ? collide_particles() : advance_particles();
   move_prescribed_bodies();
@@ -69,6 +83,8 @@ void Simulation::exchange_particles() {
   const Stopwatch watch(stages_, "exchange");
   const sc_field* field = fields_matter() ? field_.data() : nullptr;
   const Moment moment = moment_of(move_now(), contact_time_now(), clock_.now());
+  if (coupling_)
+    hand_back(*coupling_, system_.particles, find_leavers(system_.particles, system_.domain, exchange_.outlets()));
   bool changed = false;
   together([&] { changed = exchange_.run(system_, lists_, fields_, field, moment, team_); });
   if (!changed) return;
@@ -80,6 +96,14 @@ void Simulation::exchange_particles() {
 void Simulation::refresh_neighbours() {
   const Stopwatch watch(stages_, "neighbours");
   if (refresh_lists(system_, lists_, team_)) note_owners();
+}
+
+/// The fluid goes ahead by as many steps as the particles then follow with what it has said.
+void Simulation::step_fluid() {
+  if (!coupling_ || clock_.step % coupling_->settings.subcycles != 0) return;
+  const Stopwatch watch(stages_, "fluid");
+  together([&] { advance_fluid(*coupling_, system_.particles); });
+  count(fluid_tally_, coupling_->report);
 }
 
 /// Particles may have come from other ranks, who know on which side of the planes they are.
@@ -201,6 +225,19 @@ sc_move Simulation::move_now() const {
 sc_contact_time Simulation::contact_time_now() const {
   const sc_move m = move_now();
   return {clock_.step == 0 ? 0.0 : clock_.dt, m.lag, m.kick};
+}
+
+std::vector<double> Simulation::fluid_row() {
+  call(Call::fluid_row);
+  fluid_tally_.courant = courant_rate(coupling_->fluid) * coupling_->settings.fluid_step();
+  const std::vector<double> row = coupled_row(case_, *coupling_, fluid_tally_);
+  fluid_tally_ = {};
+  return row;
+}
+
+std::vector<FrameColumn> Simulation::fluid_frame(bool single) const {
+  call(Call::fluid_frame);
+  return scree::fluid_frame(coupling_->fluid, single);
 }
 
 }  // namespace scree

@@ -13,6 +13,7 @@
 #include "scree/analysis/region.h"
 #include "scree/app/build.h"
 #include "scree/app/exchange.h"
+#include "scree/app/fluid_columns.h"
 #include "scree/app/frame_fields.h"
 #include "scree/app/plane_watches.h"
 #include "scree/app/prescribed.h"
@@ -21,6 +22,7 @@
 #include "scree/app/sweep_tally.h"
 #include "scree/app/wall_motion.h"
 #include "scree/base/stopwatch.h"
+#include "scree/coupling/coupling.h"
 #include "scree/input/case.h"
 #include "scree/mpi/effort.h"
 #include "scree/mpi/ranks.h"
@@ -61,6 +63,9 @@ enum class Call : std::int64_t {
   gather,
   planes,
   report,
+  fluid_row,
+  fluid_frame,
+  fluid_hash,
   dismiss
 };
 
@@ -160,6 +165,14 @@ class Simulation {
   const SweepFindings& findings() const { return findings_; }
   const StageSeconds& stages() const { return stages_; }
   StageSeconds& stages() { return stages_; }
+  /// The fluid that the particles are in; null without one that is solved for.
+  const FluidCoupling* coupling() const { return coupling_.get(); }
+  /// What a row of the series says of the fluid (app/coupling_columns.h); counts anew from here.
+  std::vector<double> fluid_row();
+  /// What a frame shows of the fluid, in single precision or in double.
+  std::vector<FrameColumn> fluid_frame(bool single) const;
+  /// The hash of the fluid; for equal numbers of ranks only.
+  std::string fluid_hash() const;
   const char* instruction_set() const { return lists_.kernels.name; }
   int threads() const { return team_.threads; }
 
@@ -194,6 +207,7 @@ class Simulation {
   void note_owners();
   void look_at_planes();
   void refresh_neighbours();
+  void step_fluid();
   void evaluate_own_fields(double time);
   void evaluate_fields(const ParticleSystem& system, double time, Buffer<sc_field>& field);
   void advance_particles();
@@ -240,6 +254,8 @@ class Simulation {
   ParticleSystem whole_;
   std::int64_t whole_step_ = -1;
   HardStep hard_;
+  std::unique_ptr<FluidCoupling> coupling_;
+  FluidTally fluid_tally_;
 };
 
 }  // namespace scree

@@ -72,6 +72,12 @@ void Simulation::help(Call what) {
       return void(planes_.counts(ranks_));
     case Call::report:
       return void(report());
+    case Call::fluid_row:
+      return void(fluid_row());
+    case Call::fluid_frame:
+      return void(fluid_frame(false));
+    case Call::fluid_hash:
+      return void(fluid_hash());
     case Call::step:
     case Call::dismiss:
       return;

@@ -49,14 +49,29 @@ void Particles::permute(const std::vector<std::uint32_t>& order) {
   ghosts_ = 0;
 }
 
+void Particles::couple() {
+  coupled_ = true;
+  resize(size_);
+}
+
+Particles Particles::none_alike() const {
+  Particles none(shaped_);
+  none.coupled_ = coupled_;
+  return none;
+}
+
 void Particles::append(const Particles& others) {
   const std::size_t old = size_;
   resize(old + others.size());
 #define FIELD(name, type, components, travels, saved, doc) \
   std::copy_n(others.name.values.data(), others.size() * components, name.row(old));
   SCREE_PARTICLE_FIELDS(FIELD)
-  if (!shaped_) return;
-  SCREE_SHAPE_FIELDS(FIELD)
+  if (shaped_) {
+    SCREE_SHAPE_FIELDS(FIELD)
+  }
+  if (coupled_ && others.coupled_) {
+    SCREE_COUPLED_FIELDS(FIELD)
+  }
 #undef FIELD
 }
 

@@ -42,6 +42,14 @@ enum class Travels { always, with_lists, on_migration };
   FIELD(angular_momentum, double, 4, always, true, "in the world x y z [kg m2/s], way of the surface so far [m]") \
   FIELD(inertia, double, 4, with_lists, true, "inverse principal moments x y z [1/(kg m2)], radius by volume [m]")
 
+// Only where particles and a fluid that is solved for act on each other: what the fluid has said at its last step, and
+// what has come of it since.
+#define SCREE_COUPLED_FIELDS(FIELD)                                                                              \
+  FIELD(stream, double, 4, on_migration, true, "velocity of the fluid x y z [m/s], rate of its drag [1/s]")      \
+  FIELD(pull, double, 4, on_migration, true, "acceleration by the fluid besides drag x y z [m/s2], unused")      \
+  FIELD(drag_impulse, double, 4, on_migration, true, "impulse of drag since x y z [N s], time it has acted [s]") \
+  FIELD(expected, double, 4, on_migration, true, "impulse the fluid counts on x y z [N s], part of slip that stays")
+
 /// One field: `components` values per particle, contiguous.
 template <class T, int Components>
 struct Column {
@@ -74,6 +82,7 @@ class Particles {
 #define FIELD(name, type, components, travels, saved, doc) Column<type, components> name;
   SCREE_PARTICLE_FIELDS(FIELD)
   SCREE_SHAPE_FIELDS(FIELD)
+  SCREE_COUPLED_FIELDS(FIELD)
 #undef FIELD
 
   /// The particles that this rank moves.
@@ -87,6 +96,15 @@ class Particles {
 
   /// Whether the fields of shapes are there.
   bool shaped() const { return shaped_; }
+
+  /// Whether the fields of a coupling with a fluid are there.
+  bool coupled() const { return coupled_; }
+
+  /// Adds the fields of a coupling, all zero.
+  void couple();
+
+  /// No particles, with the same fields.
+  Particles none_alike() const;
 
   /// Radius of the sphere of the same volume, for what goes by volume: drag, solid fractions [m]. The radius in
   /// `motion` is that of the sphere around the body.
@@ -104,7 +122,8 @@ class Particles {
   /// other ranks' particles.
   void permute(const std::vector<std::uint32_t>& order);
 
-  /// Adds copies of all the others after those that are there. Both have shapes, or neither.
+  /// Adds copies of all the others after those that are there. Both have shapes, or neither; fields of a coupling are
+  /// zero where the others have none.
   void append(const Particles& others);
 
   /// Calls visit(name, column, travels, saved, doc) for every field, in the order of the table.
@@ -113,8 +132,12 @@ class Particles {
 #define FIELD(name, type, components, travels, saved, doc) \
   visit(std::string_view(#name), name, Travels::travels, saved, doc);
     SCREE_PARTICLE_FIELDS(FIELD)
-    if (!shaped_) return;
-    SCREE_SHAPE_FIELDS(FIELD)
+    if (shaped_) {
+      SCREE_SHAPE_FIELDS(FIELD)
+    }
+    if (coupled_) {
+      SCREE_COUPLED_FIELDS(FIELD)
+    }
 #undef FIELD
   }
 
@@ -130,7 +153,7 @@ class Particles {
 
  private:
   std::size_t size_ = 0, ghosts_ = 0;
-  bool shaped_ = false;
+  bool shaped_ = false, coupled_ = false;
 };
 
 /// The places of all particles in the order of their ids.

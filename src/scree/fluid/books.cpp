@@ -85,9 +85,9 @@ void enter_correction(FluidSolver& s, const Bdf& bdf) {
     const double slope = 0.5 * (m.open[a][c] * (x[c] - x[c - st]) * m.axis[a].per_distance[g] +
                                 m.open[a][c + st] * (x[c + st] - x[c]) * m.axis[a].per_distance[g + 1]);
     const double gradient = s.felt()[c] * slope * per_pace;
-    if (s.work.drag.empty()) return -gradient;
+    if (s.load.drag.empty()) return -gradient;
     const double shift = s.work.drag_shift_now[a][c] - s.work.drag_shift[a][c];
-    return s.felt()[c] * shift - gradient - s.work.drag[c] * s.state.velocity[a][c];
+    return s.felt()[c] * shift - gradient - s.load.drag[c] * s.state.velocity[a][c];
   });
   for (const BoundaryFace& f : s.boundary)
     s.work.force[f.axis] += s.felt()[f.cell] * f.side * f.area * x[f.cell] * per_pace * yielding(s, bdf, f);

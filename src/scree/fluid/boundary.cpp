@@ -55,7 +55,8 @@ void set_boundary(FluidSolver& s, double time) {
     }
     if (gives_pressure(f)) continue;
     const bool passes = f.kind == PatchKind::inlet;
-    s.state.flux[f.axis][f.face] = passes ? s.state.fraction[f.cell] * f.area * f.velocity[f.axis] : 0;
+    const double fraction = s.settings.loaded ? 1 : s.state.fraction[f.cell];
+    s.state.flux[f.axis][f.face] = passes ? fraction * f.area * f.velocity[f.axis] : 0;
   }
   if (!s.mesh.outlets && !s.settings.moving_void_fraction) balance_inlets(s);
 }

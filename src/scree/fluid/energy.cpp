@@ -59,7 +59,7 @@ double friction_of_row(const FluidSolver& s, int j, int k) {
 /// gives does work against the pressure.
 void add_forces_of_row(const FluidSolver& s, int j, int k, std::array<double, FluidBooks::works>& sum) {
   const Mesh& m = s.mesh;
-  const bool forced = !s.work.face_force[0].empty(), dragged = !s.work.drag.empty();
+  const bool forced = !s.work.face_force[0].empty(), dragged = !s.load.drag.empty();
   for (int i = 0; i < m.n[0]; ++i) {
     const std::int64_t c = m.index(i, j, k);
     if (m.fluid[c] == 0) continue;
@@ -78,7 +78,7 @@ void add_forces_of_row(const FluidSolver& s, int j, int k, std::array<double, Fl
       if (forced)
         sum[FluidBooks::by_forces] +=
             0.5 * volume * s.felt()[c] * (s.work.face_force[a][c] + s.work.face_force[a][above]) * u;
-      if (dragged) sum[FluidBooks::by_drag] -= volume * s.work.drag[c] * u * u;
+      if (dragged) sum[FluidBooks::by_drag] -= volume * s.load.drag[c] * u * u;
     }
     sum[FluidBooks::by_pressure] += outward * s.state.pressure[c];
   }

@@ -62,6 +62,10 @@ struct FluidSettings {
   PlaceFormula drag;                           // K: the fluid feels K (v - u) per volume [kg/(m3 s)]; empty: none
   std::array<PlaceFormula, 3> drag_velocity;   // v [m/s]; empty: at rest
   bool moving_void_fraction = false;           // whether it depends on time
+  // Void fraction, drag and forces are fields of whoever else is in the flow (FluidLoad); then moving_void_fraction
+  // must be set, the formulas of the three are not asked, and inlets give the volume that enters: velocities before
+  // them.
+  bool loaded = false;
   std::vector<PatchValues> patches;            // as those of the region
   double divergence_tolerance = 1e-8;          // error of volume in a step, over the volume of the cell
   double viscous_tolerance = 1e-8;             // error of the viscous solve over its first correction
@@ -128,6 +132,17 @@ struct FluidState {
   std::vector<ScalarState> scalars;     // as in the settings
   Field eddies_found, eddies_modelled;  // dynamic, along the paths of the fluid: the means of L:M and M:M [m4/s4]
   FluidBooks books;
+};
+
+/// What something else in the flow does to the fluid, in the cells, at the end of the next step. Formulas fill it, or
+/// whoever couples the two. Ghosts are renewed by the step.
+struct FluidLoad {
+  Field fraction;    // of the volume that is fluid; empty where all is
+  Field drag;        // K: the fluid feels -K u per volume [kg/(m3 s)], in model B K / e; empty without
+  VectorField push;  // the force on it per volume besides, K v above all [N/m3]; empty without
+  // Answer: the pressure gradient that each cell has felt in the last step [Pa/m]; with `loaded` only. Over the cells
+  // it sums to the pressure on the boundary.
+  VectorField gradient;
 };
 
 /// What a step has found.

@@ -14,7 +14,7 @@ namespace {
 /// Mass and drag of a cell in the step [kg/s].
 double inertia(const FluidSolver& s, const Bdf& bdf, std::int64_t c, double volume) {
   const double mass = bdf.a0 * s.settings.density * s.state.fraction[c] / bdf.dt;
-  return volume * (mass + (s.work.drag.empty() ? 0.0 : s.work.drag[c]));
+  return volume * (mass + (s.load.drag.empty() ? 0.0 : s.load.drag[c]));
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ void prepare_viscous(FluidSolver& s, const Bdf& bdf) {
 
 void find_drag_shift(FluidSolver& s, VectorField& shift) {
   const Mesh& m = s.mesh;
-  const auto resistance = [&](std::int64_t c) { return s.work.drag[c] / (s.state.fraction[c] * s.felt()[c]); };
+  const auto resistance = [&](std::int64_t c) { return s.load.drag[c] / (s.state.fraction[c] * s.felt()[c]); };
   for (int a = 0; a < 3; ++a)
     for_each_row(m, [&](int j, int k) {
       const std::int64_t at = m.index(0, j, k), st = m.stride[a];
@@ -124,7 +124,7 @@ void find_mean_force(FluidSolver& s) {
     }
   });
   for (const BoundaryFace& f : s.boundary) w.mean_force[f.axis][f.cell] += 0.5 * boundary_force(s, f);
-  if (w.drag.empty()) return;
+  if (s.load.drag.empty()) return;
   find_drag_shift(s, w.drag_shift);
   for (int a = 0; a < 3; ++a)
     for_each_row(m, [&](int j, int k) {

@@ -35,7 +35,7 @@ double pace(const FluidSolver& s, const Bdf& bdf) { return bdf.dt / (bdf.a0 * s.
 
 /// 1 + drag over inertia of a cell.
 double burden(const FluidSolver& s, double pace, std::int64_t c) {
-  return s.work.drag.empty() ? 1.0 : 1 + s.work.drag[c] * pace / s.state.fraction[c];
+  return s.load.drag.empty() ? 1.0 : 1 + s.load.drag[c] * pace / s.state.fraction[c];
 }
 
 double passage_of(const FluidSolver& s, double pace, const BoundaryFace& f) {
@@ -69,7 +69,7 @@ void find_passage(FluidSolver& s, double pace) {
           const int at[3] = {i, j, k};
           const double above = m.axis[a].lower_share[Mesh::ghosts + at[a]], below = 1 - above;
           s.work.passage[a][c] = 1 / (below * burden(s, pace, c - st) / e[c - st] + above * burden(s, pace, c) / e[c]);
-          if (!s.work.drag.empty()) s.work.share[a][c] = s.work.passage[a][c] * (below / e[c - st] + above / e[c]);
+          if (!s.load.drag.empty()) s.work.share[a][c] = s.work.passage[a][c] * (below / e[c - st] + above / e[c]);
         }
   }
 }
@@ -184,7 +184,7 @@ void correct(FluidSolver& s, double pace) {
         flux[i] -= area * pass[i] * (x[at + i] - x[at + i - st]) * slope[along * i];
       }
     });
-  const bool dragged = !s.work.drag.empty() || s.settings.model_b;
+  const bool dragged = !s.load.drag.empty() || s.settings.model_b;
   for_each_row(m, [&](int j, int k) {
     const std::int64_t at = m.index(0, j, k);
     const int place[3] = {0, j, k};
@@ -349,7 +349,7 @@ void predict_flux(FluidSolver& s, const Bdf& bdf) {
   const Mesh& m = s.mesh;
   const double pace = scree::pace(s, bdf);
   find_inertial_flux(s, pace);
-  const bool forced = !s.work.face_force[0].empty(), shared = !s.work.drag.empty();
+  const bool forced = !s.work.face_force[0].empty(), shared = !s.load.drag.empty();
   const double* p = s.state.pressure.data();
   for (int a = 0; a < 3; ++a)
     for_each_face_row(m, a, [&](int j, int k) {
@@ -417,7 +417,7 @@ void project(FluidSolver& s, const Bdf& bdf, bool again, StepReport& report) {
     tolerance *= 0.3 * std::max(0.01, s.settings.divergence_tolerance / missed);
   }
   correct(s, pace);
-  if (!s.work.drag.empty()) correct_drag(s, pace);
+  if (!s.load.drag.empty()) correct_drag(s, pace);
   find_divergence(s, bdf);
   report.divergence = s.ranks.largest(worst_divergence(s, bdf.dt));
   // A face between two ranks is on both: one of them tells the other, so that it is the same to the last bit.

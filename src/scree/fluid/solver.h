@@ -57,7 +57,6 @@ struct FluidWork {
   Field wanted;             // what the corrections of the pressure bring in: the right-hand side of its equations
   VectorField conductance;  // their coefficients
   Field outlet_conductance;
-  Field drag;              // K, in model B K / e; empty without drag
   Field whole;             // 1 everywhere; with model B only
   VectorField face_force;  // force per volume over the void fraction at the faces; empty without forces
   VectorField passage;     // D a0 rho / dt of the faces, see projection.cpp; empty where all are as `open`
@@ -79,7 +78,7 @@ struct FluidSolver {
   FluidSolver& operator=(const FluidSolver&) = delete;
 
   /// Whether there is nothing in the flow: no void fraction, no drag.
-  bool plain() const { return !settings.void_fraction && !settings.drag; }
+  bool plain() const { return load.fraction.empty() && load.drag.empty(); }
 
   /// The part of the pressure's gradient and of friction that acts on the fluid itself, for each cell.
   const Field& felt() const { return settings.model_b ? work.whole : state.fraction; }
@@ -92,6 +91,7 @@ struct FluidSolver {
   const Ranks ranks;
   const Mesh mesh;
   FluidState state;
+  FluidLoad load;
   FluidWork work;
   std::unique_ptr<PressureSolver> pressure;
   std::vector<BoundaryFace> boundary;  // the mesh's, with what is given there now

@@ -10,6 +10,7 @@
 #include "scree/fluid/buoyancy.h"
 #include "scree/fluid/energy.h"
 #include "scree/fluid/fields.h"
+#include "scree/fluid/gradient.h"
 #include "scree/fluid/halo.h"
 #include "scree/fluid/momentum.h"
 #include "scree/fluid/projection.h"
@@ -28,9 +29,10 @@ void shift(VectorField& now, VectorField& old, VectorField& older, double ratio)
 }
 
 void evaluate_fraction(FluidSolver& s, double time) {
-  if (!s.settings.void_fraction) return;
+  if (s.load.fraction.empty()) return;
   for_each_cell(s.mesh, [&](std::int64_t c, const auto& x) {
-    const double e = s.settings.void_fraction(x, time);
+    if (!s.settings.loaded) s.load.fraction[c] = s.settings.void_fraction(x, time);
+    const double e = s.load.fraction[c];
     if (!(e > 0 && e <= 1))
       throw PhysicsError(
           fmt::format("fluid.void_fraction is {:.6g} at ({:.6g}, {:.6g}, {:.6g}) m, t = {:.6g} s; it "
@@ -42,28 +44,39 @@ void evaluate_fraction(FluidSolver& s, double time) {
 }
 
 void evaluate_drag(FluidSolver& s, double time) {
-  if (!s.settings.drag) return;
-  for_each_cell(s.mesh, [&](std::int64_t c, const auto& x) {
-    s.work.drag[c] = s.settings.drag(x, time) * (s.felt()[c] / s.state.fraction[c]);
-  });
-  renew_ghosts(s.mesh, s.ranks, 1, {&s.work.drag});
+  if (s.load.drag.empty()) return;
+  if (!s.settings.loaded)
+    for_each_cell(s.mesh, [&](std::int64_t c, const auto& x) {
+      s.load.drag[c] = s.settings.drag(x, time) * (s.felt()[c] / s.state.fraction[c]);
+    });
+  renew_ghosts(s.mesh, s.ranks, 1, {&s.load.drag});
 }
 
-/// Force per volume over the void fraction at a face; `thinness` is the mean of 1 / void fraction there, `drag` that of
-/// the drag over it.
-double face_force(const FluidSolver& s, int a, const std::array<double, 3>& x, double time, double drag,
-                  double thinness) {
-  double force = s.settings.force[a] ? s.settings.force[a](x, time) * thinness : 0;
-  if (drag != 0 && s.settings.drag_velocity[a]) force += drag * s.settings.drag_velocity[a](x, time);
-  return s.settings.density * s.settings.gravity[a] + force;
+void evaluate_push(FluidSolver& s, double time) {
+  VectorField& push = s.load.push;
+  if (push[0].empty()) return;
+  if (!s.settings.loaded)
+    for_each_cell(s.mesh, [&](std::int64_t c, const auto& x) {
+      for (int a = 0; a < 3; ++a)
+        push[a][c] = s.settings.drag_velocity[a] ? s.load.drag[c] * s.settings.drag_velocity[a](x, time) : 0;
+    });
+  renew_ghosts(s.mesh, s.ranks, 1, {&push[0], &push[1], &push[2]});
+}
+
+/// Force per volume over the void fraction at a face, where `resistance` is the mean of 1 / void fraction there, and
+/// without what acts in the cells.
+double face_force(const FluidSolver& s, int a, const std::array<double, 3>& x, double time, double resistance) {
+  const double force = s.settings.force[a] ? s.settings.force[a](x, time) : 0;
+  return s.settings.density * s.settings.gravity[a] + force * resistance;
 }
 
 /// All forces on the fluid but friction and the drag of its own motion, at the faces: they meet the pressure there.
 void evaluate_forces(FluidSolver& s, double time) {
+  evaluate_push(s, time);
   if (s.work.face_force[0].empty()) return;
   const Mesh& m = s.mesh;
   const Field &e = s.state.fraction, &felt = s.felt();
-  const auto drag_of = [&](std::int64_t c) { return s.work.drag.empty() ? 0.0 : s.work.drag[c]; };
+  const auto pushed = [&](int a, std::int64_t c) { return s.load.push[a].empty() ? 0.0 : s.load.push[a][c] / felt[c]; };
   for (int a = 0; a < 3; ++a)
     for (int k = 0; k < m.n[2] + (a == 2); ++k)
       for (int j = 0; j < m.n[1] + (a == 1); ++j)
@@ -76,18 +89,17 @@ void evaluate_forces(FluidSolver& s, double time) {
             x[d] =
                 d == a ? m.region->grid.faces[d][m.box.low[d] + at[d]] : m.region->grid.centre(d, m.box.low[d] + at[d]);
           const double above = m.axis[a].lower_share[Mesh::ghosts + at[a]], below = 1 - above;
-          const double drag = (below * drag_of(b) + above * drag_of(c)) * (below / felt[b] + above / felt[c]);
-          s.work.face_force[a][c] = face_force(s, a, x, time, drag, below / e[b] + above / e[c]);
+          s.work.face_force[a][c] =
+              face_force(s, a, x, time, below / e[b] + above / e[c]) + (below * pushed(a, b) + above * pushed(a, c));
         }
   for (const BoundaryFace& f : s.boundary)
-    s.work.face_force[f.axis][f.face] =
-        face_force(s, f.axis, f.place, time, drag_of(f.cell) / felt[f.cell], 1 / e[f.cell]);
+    s.work.face_force[f.axis][f.face] = face_force(s, f.axis, f.place, time, 1 / e[f.cell]) + pushed(f.axis, f.cell);
   if (s.settings.buoyant()) add_buoyancy(s);
 }
 
 bool has_forces(const FluidSettings& k) {
   for (int a = 0; a < 3; ++a)
-    if (k.force[a] || k.gravity[a] != 0 || (k.drag && k.drag_velocity[a])) return true;
+    if (k.force[a] || k.gravity[a] != 0) return true;
   return false;
 }
 
@@ -98,6 +110,16 @@ void find_first_pressure(FluidSolver& s, const Bdf& bdf, StepReport& report) {
   predict_flux(s, bdf);
   project(s, bdf, false, report);
   s.state.velocity = s.state.velocity_old;
+}
+
+FluidLoad make_load(const Mesh& m, const FluidSettings& k) {
+  FluidLoad load;
+  if (k.loaded || k.void_fraction) load.fraction = m.make_field();
+  if (k.loaded || k.drag) load.drag = m.make_field();
+  if (k.loaded || (k.drag && (k.drag_velocity[0] || k.drag_velocity[1] || k.drag_velocity[2])))
+    load.push = m.make_vector();
+  if (k.loaded) load.gradient = m.make_vector();
+  return load;
 }
 
 void expect_finite(const FluidSolver& s) {
@@ -149,11 +171,10 @@ FluidSolver::FluidSolver(const FluidRegion& r, FluidSettings k, const Ranks& pro
     work.whole = mesh.make_field();
     std::fill(work.whole.begin(), work.whole.end(), 1.0);
   }
-  if (settings.drag) {
-    work.drag = mesh.make_field();
+  load = make_load(mesh, settings);
+  if (!load.drag.empty())
     for (VectorField* v : {&work.share, &work.drag_shift, &work.drag_shift_now}) *v = mesh.make_vector();
-  }
-  if (has_forces(settings)) work.face_force = mesh.make_vector();
+  if (has_forces(settings) || !load.push[0].empty()) work.face_force = mesh.make_vector();
   if (!plain()) work.passage = mesh.make_vector();
   make_viscosity(*this);
   make_scalars(*this);
@@ -205,7 +226,7 @@ StepReport advance(FluidSolver& s, double dt) {
   shift(st.velocity, st.velocity_old, w.velocity_older, bdf.ratio);
   shift(st.flux, st.flux_old, w.flux_older, bdf.ratio);
   begin_scalars(s, bdf);
-  if (s.settings.void_fraction) {
+  if (!s.load.fraction.empty()) {
     std::swap(w.fraction_older, st.fraction_old);
     std::swap(st.fraction_old, st.fraction);
     evaluate_fraction(s, time);
@@ -236,6 +257,7 @@ StepReport advance(FluidSolver& s, double dt) {
     enter_correction(s, bdf);
     solve_scalars(s, bdf, report);
   }
+  if (s.settings.loaded) find_gradient(s, bdf);
   st.time = time;
   st.last_dt = dt;
   ++st.step;

@@ -305,6 +305,15 @@ struct VerifyKeys {
   std::vector<VerifyPlotKeys> plots;
 };
 
+/// How particles and a fluid that is solved for act on each other.
+struct CouplingKeys {
+  std::string drag = "gidaspow_blend";  // the laws of app/models.h
+  std::uint64_t subcycles = 0;          // 0: from both time steps
+  std::optional<double> diffusion;      // width [m]; empty: three diameters where cells are under two
+  double least_void_fraction = 0.2;
+  bool pressure_force = true;
+};
+
 struct CaseText;  // input/located.h
 
 struct Case {
@@ -315,6 +324,7 @@ struct Case {
   GravityKeys gravity;
   FlowKeys flow;
   FluidKeys fluid;
+  CouplingKeys coupling;
   ContactKeys contact;
   HardKeys hard;
   std::vector<MaterialKeys> materials;
@@ -333,6 +343,9 @@ inline bool is_hard(const Case& c) { return c.contact.collision == "hard"; }
 
 /// Whether the flow of a fluid is solved for.
 inline bool solves_flow(const Case& c) { return c.fluid.type != "none"; }
+
+/// Whether particles are in a flow that is solved for.
+inline bool couples(const Case& c) { return solves_flow(c) && !c.particles.empty(); }
 
 /// Whether contacts of shapes are found by vertices.
 inline bool by_vertices(const Case& c) { return c.contact.detection == "vertices"; }

@@ -69,13 +69,20 @@ void check_balance(const Check& check, const FluidRegion& region) {
              "an incompressible fluid must leave somewhere", "give some patch type = \"outlet\"");
 }
 
-void check_without_particles(const Check& check) {
+void check_company(const Check& check) {
   const Case& c = check.c;
   const std::string help = "leave out one of the two";
-  if (!c.particles.empty())
-    check.fail("E164", "fluid.type", "particles in a flow that is solved for are not there yet",
-               fmt::format("the case has {} groups of particles", c.particles.size()),
-               "particles are carried by a prescribed flow   (scree explain flow.type)");
+  const char* const coupled = "particles that are in the flow say it themselves";
+  if (couples(c) && c.fluid.void_fraction != "1")
+    check.fail("E164", "fluid.void_fraction", "the void fraction is given by the particles", "a formula, too", coupled);
+  if (couples(c) && c.fluid.drag != "0")
+    check.fail("E164", "fluid.drag", "the drag on the fluid is given by the particles", "a formula, too", coupled);
+  if (couples(c) && c.fluid.model != "a")
+    check.fail("E164", "fluid.model", "model B is not there yet with particles", fmt::format("'{}'", c.fluid.model),
+               "remove 'model': the particles feel the pressure gradient, as in model A");
+  if (couples(c) && c.fluid.steady > 0)
+    check.fail("E164", "fluid.steady", "a run with particles ends at simulation.end", "fluid.steady is set",
+               "remove 'steady'");
   if (c.flow.type != "none")
     check.fail("E164", "fluid.type", "a flow cannot be solved for and prescribed", "there is a [flow], too", help);
   if (c.gravity.type != "none" && c.gravity.type != "uniform")
@@ -88,7 +95,7 @@ void check_without_particles(const Check& check) {
 void check_fluid(const Check& check) {
   const Case& c = check.c;
   if (!check.sound({"fluid"}) || !solves_flow(c)) return;
-  check_without_particles(check);
+  check_company(check);
   if (!check.sound({"domain"})) return;
   for (int a = 0; a < 3; ++a)
     if (!(c.domain.max[a] > c.domain.min[a])) return;

@@ -14,6 +14,9 @@ enum {
   SC_IMPLICIT = 2   // report 3.7 and 3.9: backward Euler drag, trapezoidal position
 };
 
+/// Instead of a drag law: the rate stands in the field. A fluid that is solved for gives it.
+enum { SC_DRAG_OF_FIELD = 100 };
+
 /// The constants of a step.
 typedef struct {
   int scheme;
@@ -31,6 +34,7 @@ typedef struct {
 typedef struct {
   sc_vec acceleration;  // of body forces, beyond uniform gravity; of a body that moves as prescribed, its own [m/s2]
   sc_vec fluid;         // velocity of the fluid [m/s]
+  real drag_rate;       // with SC_DRAG_OF_FIELD: drag over mass and slip [1/s]
 } sc_field;
 
 /// The motion of a body's centre.
@@ -52,19 +56,26 @@ typedef struct {
   sc_vec velocity, drag;
 } sc_pushed;
 
-/// Velocity after `push` [m/s2] and drag have acted for `dt`.
-SC_FN sc_pushed sc_push(sc_move m, sc_centre s, sc_vec velocity, sc_vec push, sc_vec fluid, real dt) {
+/// Rate of the drag on a body [1/s].
+SC_FN real sc_rate_of_drag(sc_move m, sc_centre s, sc_field field) {
+  if (m.drag == SC_DRAG_OF_FIELD) return s.inverse_mass > R(0) ? field.drag_rate : R(0);
+  const real slip = sc_norm(sc_sub(field.fluid, s.velocity));
+  return sc_drag_rate(m.drag, slip, R(2) * s.radius, s.inverse_mass, m.fluid_density, m.fluid_viscosity);
+}
+
+/// Velocity after `push` [m/s2] and drag have acted for `dt` on a body of velocity `s.velocity`.
+SC_FN sc_pushed sc_push(sc_move m, sc_centre s, sc_vec push, sc_field field, real dt) {
   sc_pushed out;
+  const sc_vec velocity = s.velocity;
   if (m.drag == SC_DRAG_NONE) {
     out.velocity = sc_add_scaled(velocity, dt, push);
     out.drag = sc_zero_vec();
   } else {
-    const real slip = sc_norm(sc_sub(fluid, velocity));
-    const real rate = sc_drag_rate(m.drag, slip, R(2) * s.radius, s.inverse_mass, m.fluid_density, m.fluid_viscosity);
+    const real rate = sc_rate_of_drag(m, s, field);
     const int relaxation = m.scheme == SC_LEAPFROG   ? SC_RELAX_EXPONENTIAL
                            : m.scheme == SC_EXPLICIT ? SC_RELAX_EXPLICIT
                                                      : SC_RELAX_IMPLICIT;
-    out.velocity = sc_relax(relaxation, velocity, push, fluid, rate, dt);
+    out.velocity = sc_relax(relaxation, velocity, push, field.fluid, rate, dt);
     out.drag = sc_sub(sc_sub(out.velocity, velocity), sc_scale(dt, push));
   }
   return out;
@@ -80,12 +91,13 @@ SC_FN sc_centre_moved sc_move_centre(sc_move m, sc_centre s, sc_vec force, sc_fi
   const sc_vec push = sc_add(sc_scale(s.inverse_mass, force), sc_add(uniform, body));
   const int turns = free_body && sc_dot(m.rotation, m.rotation) > R(0);
   sc_vec turned = sc_zero_vec();
-  sc_pushed pushed = sc_push(m, s, s.velocity, push, field.fluid, turns ? R(0.5) * m.kick : m.kick);
+  sc_pushed pushed = sc_push(m, s, push, field, turns ? R(0.5) * m.kick : m.kick);
   sc_vec drag = pushed.drag;
   if (turns) {
-    const sc_vec v = sc_coriolis_turn(pushed.velocity, m.rotation, m.kick);
-    turned = sc_sub(v, pushed.velocity);
-    pushed = sc_push(m, s, v, push, field.fluid, R(0.5) * m.kick);
+    sc_centre after = s;
+    after.velocity = sc_coriolis_turn(pushed.velocity, m.rotation, m.kick);
+    turned = sc_sub(after.velocity, pushed.velocity);
+    pushed = sc_push(m, after, push, field, R(0.5) * m.kick);
     drag = sc_add(drag, pushed.drag);
   }
   out.velocity = pushed.velocity;

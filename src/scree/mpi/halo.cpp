@@ -47,7 +47,7 @@ Particles copies_everywhere(const Particles& particles, const std::vector<std::i
   std::vector<Message> outgoing;
   if (!rows.empty())
     for (int r = 0; r < ranks.count(); ++r) outgoing.push_back({r, mine});
-  Particles out(particles.shaped());
+  Particles out = particles.none_alike();
   const std::size_t size = packed_size(particles, with_copies);
   for (const Message& message : ranks.deliver(outgoing)) {
     const std::size_t first = out.size(), count = message.bytes.size() / size;

@@ -52,6 +52,14 @@ double displaced_share(const Fields& f, const Particles& particles, std::int64_t
   return f.density * volume * particles.motion.row(static_cast<std::size_t>(p))[lane::inverse_mass];
 }
 
+/// What a fluid that is solved for has said at its last step.
+void add_coupling(const Particles& particles, std::size_t p, sc_field& field) {
+  const double *stream = particles.stream.row(p), *pull = particles.pull.row(p);
+  field.fluid = sc_make_vec(stream[0], stream[1], stream[2]);
+  field.drag_rate = stream[3];
+  field.acceleration = sc_add(field.acceleration, sc_make_vec(pull[0], pull[1], pull[2]));
+}
+
 constexpr std::int64_t block = 128;  // particles whose rows stay in the first cache
 
 }  // namespace
@@ -81,7 +89,7 @@ void evaluate(const Fields& fields, const Particles& particles, double time, con
     // A formula keeps its variables inside: every thread has its own.
     auto acceleration = fields.acceleration, velocity = fields.velocity;
     const Fields& f = fields;
-    const bool vortices = f.flow == FlowKind::taylor_green;
+    const bool vortices = f.flow == FlowKind::taylor_green, coupled = particles.coupled();
 #pragma omp for schedule(static)
     for (std::int64_t begin = 0; begin < n; begin += block) {
       const std::int64_t end = std::min(n, begin + block);
@@ -91,7 +99,9 @@ void evaluate(const Fields& fields, const Particles& particles, double time, con
         out[p].acceleration = free_body ? acceleration_at(f, acceleration, x, time) : sc_zero_vec();
         if (f.buoyancy && free_body)
           out[p].acceleration = sc_sub(out[p].acceleration, sc_scale(displaced_share(f, particles, p), f.uniform));
+        out[p].drag_rate = 0;
         if (!vortices) out[p].fluid = stream_at(f, velocity, x, time);
+        if (coupled) add_coupling(particles, static_cast<std::size_t>(p), out[p]);
       }
       if (vortices) kernels.taylor_green(motion, f.amplitude, f.wavenumber, begin, end, out.data());
     }

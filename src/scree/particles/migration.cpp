@@ -234,7 +234,7 @@ void gather_system(const ParticleSystem& mine, const Ranks& ranks, ParticleSyste
   whole.forms = mine.forms;
   whole.vertices = mine.vertices;
   whole.hard = mine.hard;
-  whole.particles = Particles(p.shaped());
+  whole.particles = p.none_alike();
   Luggage luggage;
   for (const Bytes& bytes : all) unpack_parcel(bytes, whole.particles, luggage);
   whole.particles.permute(order_by_id(whole.particles));

@@ -34,8 +34,8 @@ void add_outside_forces(Sample& sample, const sc_move& move, const sc_field* fie
     sc_vec push = sc_add_scaled(move.gravity, 2, sc_cross(velocity, move.rotation));  // Coriolis: -2 w x v
     if (field) {
       const sc_vec slip = sc_sub(field[i].fluid, velocity);
-      const double rate = sc_drag_rate(move.drag, sc_norm(slip), 2 * p.radius_by_volume(i), m[lane::inverse_mass],
-                                       move.fluid_density, move.fluid_viscosity);
+      const double rate =
+          sc_rate_of_drag(move, {vec_of(m), velocity, p.radius_by_volume(i), m[lane::inverse_mass]}, field[i]);
       push = sc_add(sc_add_scaled(push, rate, slip), field[i].acceleration);
     }
     sample.force[4 * i] += p.mass[i] * push.x;

@@ -46,10 +46,16 @@ inline Push push_of(const sc_sphere_load& load, double radius) {
 inline void book(const SweepView& v, std::int64_t p, const sc_centre& before, const Push& push,
                  const sc_centre_moved& moved, double prescribed_work) {
   double *work = v.work + 4 * p, *impulse = v.impulse + 4 * p, *angular = v.angular_impulse + 4 * p;
-  work[0] += moved.drag_work;
-  work[1] += moved.body_work;
+  // What a fluid that is solved for does to a particle is one work, whatever part of it the pressure has.
+  work[0] += v.drag_impulse ? moved.drag_work + moved.body_work : moved.drag_work;
+  if (!v.drag_impulse) work[1] += moved.body_work;
   work[2] += prescribed_work;
   const sc_booked b = sc_book(v.move, before, push.force, push.torque, moved, v.book_gravity);
+  if (v.drag_impulse) {
+    double* drag = v.drag_impulse + 4 * p;
+    const sc_vec d = moved.drag_impulse;
+    store4(drag, load4(drag) + lane4{d.x, d.y, d.z, v.move.kick});
+  }
   impulse[0] += b.impulse.x;
   impulse[1] += b.impulse.y;
   impulse[2] += b.impulse.z;
@@ -86,14 +92,14 @@ inline void book(const SweepView& v, std::int64_t p, const sc_centre& before, co
 }
 
 [[gnu::always_inline]] inline sc_field field_at(const SweepView& v, std::int64_t p) {
-  return v.field ? v.field[p] : sc_field{sc_zero_vec(), sc_zero_vec()};
+  return v.field ? v.field[p] : sc_field{sc_zero_vec(), sc_zero_vec(), 0};
 }
 
 /// sc_move_sphere with the choices of most cases folded away.
 [[gnu::always_inline]] inline sc_sphere_moved move_in_field(const sc_move& m, const sc_sphere_motion& s,
                                                             const sc_sphere_load& load, const sc_field& field) {
   sc_move own = m;
-  if (m.scheme != SC_LEAPFROG || sc_dot(m.rotation, m.rotation) > 0 || m.drag == SC_DRAG_SCHILLER_NAUMANN)
+  if (m.scheme != SC_LEAPFROG || sc_dot(m.rotation, m.rotation) > 0 || m.drag > SC_DRAG_STOKES)
     return sc_move_sphere(own, s, load, field);
   own.scheme = SC_LEAPFROG;
   own.rotation = sc_zero_vec();
@@ -132,7 +138,7 @@ template <class Laws>
   sc_move m = v.move;
   m.drag = SC_DRAG_NONE;
   m.rotation = sc_zero_vec();
-  return sc_move_sphere(m, s, load_of(g), {sc_zero_vec(), sc_zero_vec()}).motion;
+  return sc_move_sphere(m, s, load_of(g), {sc_zero_vec(), sc_zero_vec(), 0}).motion;
 }
 
 /// Writes where the centre has gone and how fast it is.

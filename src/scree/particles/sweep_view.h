@@ -83,6 +83,7 @@ struct SweepView {
   double* work;             // [n][4]
   double* impulse;          // [n][4]
   double* angular_impulse;  // [n][4]
+  double* drag_impulse;     // [n][4] or null: Particles::drag_impulse
   ShapeView shapes;
   // pairs
   const std::int32_t* first;

@@ -213,7 +213,7 @@ bool refresh_lists(ParticleSystem& s, ContactLists& lists, const Team& team) {
     lists.travelled = lists.ranks.largest(greatest_travel(s.particles, s.domain, lists.listed_at));
     if (1.25 * approached(lists) <= lists.skin) return false;
   }
-  renew_lists(s, lists, team, {}, Particles(s.particles.shaped()));
+  renew_lists(s, lists, team, {}, s.particles.none_alike());
   return true;
 }
 
@@ -253,6 +253,7 @@ SweepView view_of(ParticleSystem& s, ContactLists& lists, const sc_move& move, c
   v.work = p.work.values.data();
   v.impulse = p.impulse.values.data();
   v.angular_impulse = p.angular_impulse.values.data();
+  v.drag_impulse = p.coupled() ? p.drag_impulse.values.data() : nullptr;
   if (p.shaped())
     v.shapes = {lists.shapes.data(),
                 p.id.values.data(),

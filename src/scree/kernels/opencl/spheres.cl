@@ -318,6 +318,7 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
     if (!p.fields) m.drag = SC_DRAG_NONE;
     sc_field field;
     field.acceleration = sc_zero_vec();
+    field.drag_rate = R(0);
     field.fluid = p.fields ? sc_flow_at(p.flow, s.position) : sc_zero_vec();
     const sc_sphere_moved moved = sc_move_sphere(m, s, sc_load_of(all_of), field);
     const int among_others = p.fields || !free_body || of_walls.near;

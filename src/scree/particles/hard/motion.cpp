@@ -72,7 +72,7 @@ void push(const Particles& p, std::vector<HardBody>& bodies, const sc_move& move
   launch(p.size(), [&](std::size_t i) {
     const double* row = p.motion.row(i);
     const sc_centre c{vec_of(row), bodies[i].velocity, p.radius_by_volume(i), row[lane::inverse_mass]};
-    const sc_field here = field ? field[i] : sc_field{sc_zero_vec(), sc_zero_vec()};
+    const sc_field here = field ? field[i] : sc_field{sc_zero_vec(), sc_zero_vec(), 0};
     const sc_centre_moved moved = sc_move_centre(m, c, sc_zero_vec(), here);
     bodies[i].velocity = moved.velocity;
     given[i] = {moved.drag_impulse, moved.body_impulse};
@@ -87,6 +87,10 @@ void book_push(Particles& p, const std::vector<HardBody>& before, const std::vec
     p.work.row(i)[0] += sc_dot(given[i].drag, mean);
     p.work.row(i)[1] += sc_dot(given[i].body, mean);
     const sc_vec all = sc_add(given[i].drag, given[i].body), place = vec_of(p.motion.row(i));
+    if (p.coupled()) {
+      add(p.drag_impulse.row(i), given[i].drag);
+      p.drag_impulse.row(i)[3] += move.kick;
+    }
     add(p.impulse.row(i), all);
     add(p.angular_impulse.row(i), sc_cross(place, all));
     if (book_gravity)

@@ -1,0 +1,300 @@
+#include "scree/coupling/coupling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scree/base/exact_sum.h"
+#include "scree/compute/launch.h"
+#include "scree/coupling/crowding.h"
+#include "scree/fluid/halo.h"
+#include "scree/physics/drag/crowded.h"
+#include "scree/physics/math.h"
+#include "scree/physics/vec.h"
+
+namespace scree {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+double volume_of(const Particles& p, std::size_t i) {
+  const double r = p.radius_by_volume(i);
+  return 4.0 / 3.0 * std::numbers::pi * r * r * r;
+}
+
+/// What the particles say to the fluid in a step, and what is known of them on the way.
+struct Exchanged {
+  Quantity volume{{}, 1, 1}, drag{{}, 1, 1}, push{{}, 3, 1}, surplus{{}, 3, 1};
+  std::vector<double> kappa;  // of each particle [kg/s]
+  Vector returned{};          // in the cells of this rank [N s]
+  CellBox box;
+  std::int64_t count = 0;  // of particles on all ranks
+};
+
+/// The impulse of the fluid on a particle since its last step [N s]. One that forces of others hold or move as
+/// prescribed has received what was promised: whoever holds it pays for it.
+Vector received(const Particles& p, std::size_t i) {
+  const double *drag = p.drag_impulse.row(i), *pull = p.pull.row(i), *promised = p.expected.row(i);
+  if (p.motion.row(i)[lane::inverse_mass] == 0) return {promised[0], promised[1], promised[2]};
+  const double acted = p.mass[i] * drag[3];
+  return {drag[0] + acted * pull[0], drag[1] + acted * pull[1], drag[2] + acted * pull[2]};
+}
+
+/// What each particle has received beyond what the fluid has counted on, into `surplus`; and which part of its drag at
+/// the start of a step it feels in the mean of the step: the fluid counts on this next time.
+void take_stock(const FluidCoupling& c, Particles& p, Quantity& surplus) {
+  const double dt = c.settings.fluid_step();
+  surplus.values.resize(3 * p.size());
+  launch(p.size(), [&](std::size_t i) {
+    const Vector got = received(p, i);
+    const double *drag = p.drag_impulse.row(i), *pull = p.pull.row(i);
+    double* promised = p.expected.row(i);
+    for (int a = 0; a < 3; ++a) surplus.values[3 * i + a] = got[a] - promised[a];
+    // Promised of drag was share * rate * mass * slip at the start * dt.
+    double along = 0, full = 0;
+    for (int a = 0; a < 3; ++a) {
+      const double counted = promised[a] - p.mass[i] * pull[a] * dt;
+      const double at_start = promised[3] > 0 ? counted / promised[3] : 0;
+      along += drag[a] * at_start;
+      full += at_start * at_start;
+    }
+    promised[3] = full > 0 ? along / full : 0;
+  });
+}
+
+/// The deposits of two kinds in cells of this rank, as numbers of cells.
+void read_component(const Mesh& m, const Deposits& sums, int component, double scale, Field& out) {
+  for_each_row(m, [&](int j, int k) {
+    const std::int64_t at = m.index(0, j, k);
+    const std::int64_t from = sums.offset(m.box.low[0], m.box.low[1] + j, m.box.low[2] + k) + component;
+    for (int i = 0; i < m.n[0]; ++i)
+      out[at + i] =
+          static_cast<double>(sums.values[static_cast<std::size_t>(from + std::int64_t{i} * sums.width)]) / scale;
+  });
+}
+
+/// The void fraction from the volumes of the particles.
+void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x) {
+  const Mesh& m = c.fluid.mesh;
+  x.box = c.fluid.ranks.alone() ? m.box : touched_cells(c.spreading, p);
+  x.count = c.fluid.ranks.total(static_cast<std::int64_t>(p.size()));
+  x.volume.values.resize(p.size());
+  launch(p.size(), [&](std::size_t i) { x.volume.values[i] = volume_of(p, i); });
+  x.volume.scale = scale_for(x.volume, x.count, c.fluid.ranks);
+  Deposits mine;
+  spread(c.spreading, p, {&x.volume}, x.box, mine);
+  const Deposits sums = c.exchange.collect(mine);
+  read_component(m, sums, 0, x.volume.scale, c.amounts[0]);
+  for (int a = 1; a < 3; ++a) std::fill(c.amounts[a].begin(), c.amounts[a].end(), 0.0);
+  diffuse(c.diffusion, m, c.fluid.ranks, c.amounts, c.densities);
+  Field& solids = c.densities[0];
+  const Crowding crowding = relieve_crowding(m, c.fluid.ranks, 1 - c.settings.least_fraction, solids);
+  c.books.crowded += static_cast<double>(crowding.cells);
+  c.books.least_fraction = 1 - crowding.densest;
+  for_each_row(m, [&](int j, int k) {
+    const std::int64_t at = m.index(0, j, k);
+    for (int i = 0; i < m.n[0]; ++i) c.fluid.load.fraction[at + i] = 1 - solids[at + i];
+  });
+}
+
+/// What the fluid's fields are at the particles: with the operator that spread the particles.
+std::vector<double> meet(FluidCoupling& c, const Particles& p, const CellBox& box,
+                         const std::vector<const VectorField*>& vectors, bool with_fraction) {
+  const Mesh& m = c.fluid.mesh;
+  std::vector<VectorField> smooth;
+  std::vector<const Field*> fields;
+  for (const VectorField* v : vectors) {
+    if (c.diffusion.length2 == 0) {
+      for (int a = 0; a < 3; ++a) fields.push_back(&(*v)[a]);
+      continue;
+    }
+    smooth.push_back(m.make_vector());
+    for (int a = 0; a < 3; ++a)
+      for_each_row(m, [&](int j, int k) {
+        for (int i = 0; i < m.n[0]; ++i) {
+          const std::int64_t at = m.index(i, j, k);
+          c.amounts[a][at] = m.fluid[at] * (*v)[a][at] * m.cell_volume(i, j, k);
+        }
+      });
+    diffuse(c.diffusion, m, c.fluid.ranks, c.amounts, smooth.back());
+  }
+  for (const VectorField& v : smooth)
+    for (int a = 0; a < 3; ++a) fields.push_back(&v[a]);
+  if (with_fraction) fields.push_back(&c.fluid.load.fraction);
+  std::vector<double> out;
+  read_at(c.spreading, p, c.exchange.fetch(box, fields), out);
+  return out;
+}
+
+/// The drag of every particle at the start of the step, and what the fluid counts on of it.
+void find_drag(FluidCoupling& c, Particles& p, Exchanged& x) {
+  const std::vector<double> met = meet(c, p, x.box, {&c.fluid.state.velocity}, true);
+  const FluidSettings& f = c.fluid.settings;
+  x.kappa.resize(p.size());
+  x.drag.values.resize(p.size());
+  x.push.values.resize(3 * p.size());
+  launch(p.size(), [&](std::size_t i) {
+    const double* v = p.motion.row(i) + lane::vx;
+    const double* u = &met[4 * i];
+    const double slip = sc_norm(sc_make_vec(u[0] - v[0], u[1] - v[1], u[2] - v[2]));
+    x.kappa[i] = sc_crowded_drag(c.settings.drag, u[3], slip, 2 * p.radius_by_volume(i), f.density, f.viscosity);
+    // Free of other forces a particle keeps so much of its slip in the mean; one that is held keeps all.
+    double& share = p.expected.row(i)[3];
+    const bool held = p.motion.row(i)[lane::inverse_mass] == 0;
+    share = held ? 1 : std::clamp(share, sc_phi1(x.kappa[i] / p.mass[i] * c.settings.fluid_step()), 1.0);
+    x.drag.values[i] = share * x.kappa[i];
+    for (int a = 0; a < 3; ++a) x.push.values[3 * i + a] = x.drag.values[i] * v[a];
+  });
+}
+
+/// Drag, and what pushes, in the cells of the fluid.
+void load_fluid(FluidCoupling& c, const Particles& p, Exchanged& x) {
+  const Mesh& m = c.fluid.mesh;
+  const Ranks& ranks = c.fluid.ranks;
+  for (Quantity* q : {&x.drag, &x.push, &x.surplus}) q->scale = scale_for(*q, x.count, ranks);
+  Deposits mine;
+  spread(c.spreading, p, {&x.drag, &x.push, &x.surplus}, x.box, mine);
+  const Deposits sums = c.exchange.collect(mine);
+  FluidLoad& load = c.fluid.load;
+  read_component(m, sums, 0, x.drag.scale, c.amounts[0]);
+  for (int a = 1; a < 3; ++a) std::fill(c.amounts[a].begin(), c.amounts[a].end(), 0.0);
+  diffuse(c.diffusion, m, ranks, c.amounts, c.densities);
+  std::copy(c.densities[0].begin(), c.densities[0].end(), load.drag.begin());
+  const double per_dt = 1 / c.settings.fluid_step();
+  Field surplus = m.make_field();
+  for (int a = 0; a < 3; ++a) {
+    read_component(m, sums, 1 + a, x.push.scale, c.amounts[a]);
+    read_component(m, sums, 4 + a, x.surplus.scale, surplus);
+    for (std::int64_t at = 0; at < m.size; ++at) c.amounts[a][at] -= per_dt * (surplus[at] + c.returned[a][at]);
+    for (const double back : c.returned[a]) x.returned[a] += back;
+    std::fill(c.returned[a].begin(), c.returned[a].end(), 0.0);
+  }
+  diffuse(c.diffusion, m, ranks, c.amounts, load.push);
+}
+
+/// What the cells have given away in the step, drag and pressure; of this rank [N s].
+Vector given_away(const FluidCoupling& c) {
+  const Mesh& m = c.fluid.mesh;
+  const FluidLoad& load = c.fluid.load;
+  Vector sum{};
+  for (int k = 0; k < m.n[2]; ++k)
+    for (int j = 0; j < m.n[1]; ++j)
+      for (int i = 0; i < m.n[0]; ++i) {
+        const std::int64_t at = m.index(i, j, k);
+        if (m.fluid[at] == 0) continue;
+        const double volume = m.cell_volume(i, j, k), solids = c.settings.pressure ? 1 - load.fraction[at] : 0;
+        for (int a = 0; a < 3; ++a)
+          sum[a] += volume *
+                    (load.drag[at] * c.fluid.state.velocity[a][at] - load.push[a][at] - solids * load.gradient[a][at]);
+      }
+  for (double& s : sum) s *= c.settings.fluid_step();
+  return sum;
+}
+
+/// Tells every particle what it will meet and what the fluid counts on.
+void promise(FluidCoupling& c, Particles& p, const Exchanged& x) {
+  const std::vector<double> met = meet(c, p, x.box, {&c.fluid.state.velocity, &c.fluid.load.gradient}, false);
+  const double dt = c.settings.fluid_step();
+  launch(p.size(), [&](std::size_t i) {
+    const double *u = &met[6 * i], *gradient = u + 3, *m = p.motion.row(i);
+    double *stream = p.stream.row(i), *pull = p.pull.row(i), *promised = p.expected.row(i);
+    const double by_pressure = c.settings.pressure ? -x.volume.values[i] : 0;
+    for (int a = 0; a < 3; ++a) {
+      stream[a] = u[a];
+      pull[a] = by_pressure * gradient[a] / p.mass[i];
+      promised[a] = dt * (x.drag.values[i] * (u[a] - m[lane::vx + a]) + by_pressure * gradient[a]);
+    }
+    stream[3] = x.kappa[i] / p.mass[i];
+    std::fill_n(p.drag_impulse.row(i), 4, 0.0);
+  });
+}
+
+/// Compares what the cells have given with what the particles are promised.
+void close_books(FluidCoupling& c, const Particles& p, const Exchanged& x) {
+  ExactVectorSum promised, surplus;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double *e = p.expected.row(i), *s = &x.surplus.values[3 * i];
+    promised.add(e[0], e[1], e[2]);
+    surplus.add(s[0], s[1], s[2]);
+  }
+  const Vector given = given_away(c), asked = {promised.x.value(), promised.y.value(), promised.z.value()},
+               more = {surplus.x.value(), surplus.y.value(), surplus.z.value()};
+  for (int a = 0; a < 3; ++a) {
+    const Ranks& ranks = c.fluid.ranks;
+    c.books.error[a] += ranks.sum(given[a]) - ranks.sum(asked[a]) - ranks.sum(more[a] + x.returned[a]);
+    c.books.turned += std::abs(ranks.sum(asked[a]));
+  }
+}
+
+}  // namespace
+
+FluidCoupling::FluidCoupling(const FluidRegion& region, FluidSettings k, const CouplingSettings& how,
+                             const Forms& forms, const Ranks& ranks)
+    : settings(how),
+      fluid(region, std::move(k), ranks),
+      spreading(fluid.region, forms),
+      exchange(fluid.mesh, fluid.ranks),
+      returned(fluid.mesh.make_vector()),
+      amounts(fluid.mesh.make_vector()),
+      densities(fluid.mesh.make_vector()) {
+  if (settings.diffusion > 0) diffusion = make_diffusion(fluid.mesh, fluid.ranks, settings.diffusion);
+}
+
+void begin_coupling(FluidCoupling& c, const Particles& p, const std::array<PlaceFormula, 3>& velocity) {
+  // The first step of the fluid meets the particles where they are; before, they were where they come from, or the
+  // fluid that makes way for them would have come to rest in between.
+  Particles before = p;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (int a = 0; a < 3; ++a) before.motion.row(i)[a] -= c.settings.fluid_step() * p.motion.row(i)[lane::vx + a];
+  Exchanged x;
+  find_fraction(c, before, x);
+  set_velocity(c.fluid, velocity);
+}
+
+void hand_back(FluidCoupling& c, const Particles& p, const std::vector<std::uint8_t>& gone) {
+  const Ranks& ranks = c.fluid.ranks;
+  if (ranks.all(gone.empty())) return;
+  std::vector<std::uint32_t> order;
+  for (std::size_t i = 0; i < gone.size(); ++i)
+    if (gone[i]) order.push_back(static_cast<std::uint32_t>(i));
+  Particles leaving = p;
+  leaving.permute(order);
+  Quantity surplus{{}, 3, 1};
+  for (std::size_t i = 0; i < leaving.size(); ++i) {
+    const Vector got = received(leaving, i);
+    for (int a = 0; a < 3; ++a) surplus.values.push_back(got[a] - leaving.expected.row(i)[a]);
+  }
+  surplus.scale = scale_for(surplus, ranks.total(static_cast<std::int64_t>(leaving.size())), ranks);
+  Deposits mine;
+  spread(c.spreading, leaving, {&surplus}, ranks.alone() ? c.fluid.mesh.box : touched_cells(c.spreading, leaving),
+         mine);
+  const Deposits sums = c.exchange.collect(mine);
+  Field more = c.fluid.mesh.make_field();
+  for (int a = 0; a < 3; ++a) {
+    read_component(c.fluid.mesh, sums, a, surplus.scale, more);
+    for (std::int64_t at = 0; at < c.fluid.mesh.size; ++at) c.returned[a][at] += more[at];
+  }
+}
+
+void advance_fluid(FluidCoupling& c, Particles& p) {
+  Exchanged x;
+  take_stock(c, p, x.surplus);
+  find_fraction(c, p, x);
+  find_drag(c, p, x);
+  load_fluid(c, p, x);
+  c.report = advance(c.fluid, c.settings.fluid_step());
+  promise(c, p, x);
+  close_books(c, p, x);
+}
+
+std::array<double, 3> under_way(const Particles& p) {
+  ExactVectorSum sum;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vector got = received(p, i);
+    const double* promised = p.expected.row(i);
+    sum.add(promised[0] - got[0], promised[1] - got[1], promised[2] - got[2]);
+  }
+  return {sum.x.value(), sum.y.value(), sum.z.value()};
+}
+
+}  // namespace scree

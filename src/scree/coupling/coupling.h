@@ -1,0 +1,66 @@
+// Particles and a fluid that is solved for, acting on each other (docs/decisions/0022-coupling.md).
+//
+// Every so many steps of the particles begin with a step of the fluid as long as all of them. The fluid's step finds
+// the particles where and as fast as they are then, and takes their drag implicitly: K (v - u) per volume with u at its
+// end. In the steps that follow each particle relaxes exactly to the velocity found, at the same rate, and feels the
+// pressure gradient that the cells have felt. What it has received in the end less what the fluid has counted on is
+// given to the fluid in its next step, so that nothing is ever lost between the two.
+#pragma once
+
+#include "scree/coupling/diffusion.h"
+#include "scree/coupling/spread.h"
+#include "scree/fluid/solver.h"
+
+namespace scree {
+
+struct CouplingSettings {
+  int subcycles = 1;          // steps of the particles in one of the fluid
+  double step = 0;            // of the particles [s]
+  int drag = 0;               // SC_DRAG_...
+  double diffusion = 0;       // width of what particles spread [m]; 0: none
+  double least_fraction = 0;  // of a cell's volume that is fluid, below which solids go to its neighbours
+  bool pressure = true;       // particles feel the pressure gradient of the fluid
+
+  double fluid_step() const { return subcycles * step; }
+};
+
+/// The books of the exchange since the start.
+struct CouplingBooks {
+  std::array<double, 3> error{};  // of what the cells have given away the particles have not been promised [N s]
+  double turned = 0;              // sum of the sizes of what they have been promised [N s]
+  double crowded = 0;             // cells that had to pass solids on to their neighbours, summed over the steps
+  double least_fraction = 1;      // of a cell's volume that was fluid in the last step
+};
+
+struct FluidCoupling {
+  FluidCoupling(const FluidRegion& region, FluidSettings fluid, const CouplingSettings& settings, const Forms& forms,
+                const Ranks& ranks);
+  FluidCoupling(const FluidCoupling&) = delete;
+  FluidCoupling& operator=(const FluidCoupling&) = delete;
+
+  CouplingSettings settings;
+  FluidSolver fluid;
+  Spreading spreading;
+  CellExchange exchange;
+  Diffusion diffusion;
+  CouplingBooks books;
+  StepReport report;     // of the last step of the fluid
+  VectorField returned;  // by particles that have left: what they have received beyond what was promised [N s]
+  VectorField amounts, densities;
+};
+
+/// The momentum that is on its way from the fluid to the particles: promised in the last step of the fluid and not yet
+/// received; of this rank [N s]. That of fluid and particles together with it is constant.
+std::array<double, 3> under_way(const Particles& particles);
+
+/// Puts the particles into a fluid that begins with a velocity.
+void begin_coupling(FluidCoupling& coupling, const Particles& particles, const std::array<PlaceFormula, 3>& velocity);
+
+/// Particles marked in `gone` (empty: none) are about to leave: what they have not received the fluid keeps. To be
+/// called by all ranks.
+void hand_back(FluidCoupling& coupling, const Particles& particles, const std::vector<std::uint8_t>& gone);
+
+/// The fluid's step: to be called before the first of the particles' steps that it covers. Throws PhysicsError.
+void advance_fluid(FluidCoupling& coupling, Particles& particles);
+
+}  // namespace scree

@@ -1,0 +1,61 @@
+#include "scree/coupling/diffusion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree {
+namespace {
+
+/// To the last bits: the same operator must be found in both directions, or momentum is lost between them.
+constexpr double tolerance = 1e-15;
+
+}  // namespace
+
+Diffusion make_diffusion(const Mesh& m, const Ranks& ranks, double width) {
+  Diffusion d;
+  const double deviation = width / (2 * std::sqrt(2 * std::log(2.0)));
+  d.length2 = 0.5 * deviation * deviation;
+  Helmholtz& h = d.equation;
+  h.face = m.make_vector();
+  h.per_diagonal[0] = m.make_field();
+  for (int a = 0; a < 3; ++a)
+    for (int k = 0; k <= m.n[2]; ++k)
+      for (int j = 0; j <= m.n[1]; ++j)
+        for (int i = 0; i <= m.n[0]; ++i) {
+          const std::int64_t c = m.index(i, j, k);
+          const int at[3] = {i, j, k};
+          h.face[a][c] = m.open[a][c] * d.length2 * m.area(a, i, j, k) * m.axis[a].per_distance[Mesh::ghosts + at[a]];
+        }
+  double least = 1;
+  for (int k = 0; k < m.n[2]; ++k)
+    for (int j = 0; j < m.n[1]; ++j)
+      for (int i = 0; i < m.n[0]; ++i) {
+        const std::int64_t c = m.index(i, j, k);
+        if (m.fluid[c] == 0) continue;
+        double sum = m.cell_volume(i, j, k);
+        for (int a = 0; a < 3; ++a) sum += h.face[a][c] + h.face[a][c + m.stride[a]];
+        h.per_diagonal[0][c] = 1 / sum;
+        least = std::min(least, m.cell_volume(i, j, k) / sum);
+      }
+  h.share = -ranks.largest(-least);
+  d.spare = m.make_vector();
+  return d;
+}
+
+void diffuse(Diffusion& d, const Mesh& m, const Ranks& ranks, const VectorField& amount, VectorField& x) {
+  for (int a = 0; a < 3; ++a)
+    for_each_row(m, [&](int j, int k) {
+      for (int i = 0; i < m.n[0]; ++i) {
+        const std::int64_t c = m.index(i, j, k);
+        x[a][c] = d.length2 > 0 ? 0 : m.fluid[c] * amount[a][c] / m.cell_volume(i, j, k);
+      }
+    });
+  if (d.length2 == 0) return;
+  for (int a = 0; a < 3; ++a) {
+    std::fill(x[a].begin(), x[a].end(), 0.0);
+    std::fill(d.spare[a].begin(), d.spare[a].end(), 0.0);
+  }
+  solve(m, ranks, d.equation, amount, tolerance, {&x, &d.spare});
+}
+
+}  // namespace scree

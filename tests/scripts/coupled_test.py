@@ -1,0 +1,135 @@
+"""Particles in a fluid that is solved for: restarts, ranks, threads. usage: coupled_test.py PROGRAM MPIEXEC"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy
+
+PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
+MPIEXEC = sys.argv.pop(1)
+ENVIRONMENT = os.environ | {
+    "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_WAIT_POLICY": "passive", "OMPI_MCA_hwloc_base_binding_policy": "none",
+    "ASAN_OPTIONS": "detect_leaks=0"}
+
+# A small bed that is blown up, on cells of two kinds, with bodies of two shapes.
+BED = """
+[simulation]
+end = 0.02
+time_step = 2e-5
+[domain]
+min = [0, 0, 0]
+max = [0.016, 0.032, 0.008]
+periodic = [false, false, true]
+[gravity]
+type = "uniform"
+acceleration = [0, -9.81, 0]
+[contact]
+normal = "linear"
+tangential = "history"
+[[materials]]
+name = "seed"
+density = 1000
+stiffness = 20
+restitution = 0.9
+friction = 0.2
+[[particles]]
+name = "balls"
+material = "seed"
+diameter = 0.0012
+insert = "random"
+count = 300
+region_min = [0, 0.001, 0]
+region_max = [0.016, 0.012, 0.008]
+[[particles]]
+name = "rods"
+material = "seed"
+shape = "ellipsoid"
+half_axes = [0.0015, 0.0006, 0.0006]
+insert = "random"
+count = 60
+region_min = [0, 0.013, 0]
+region_max = [0.016, 0.024, 0.008]
+[[walls]]
+name = "box"
+material = "seed"
+type = "box"
+min = [0, 0, -1]
+max = [0.016, 0.032, 1]
+[fluid]
+type = "incompressible"
+density = 1.2
+viscosity = 1.8e-5
+cells = [6, 12, 4]
+x = [{ to = 0.016, cells = 6, ratio = 2 }]
+convection = "van_leer"
+[[fluid.patches]]
+name = "in"
+face = "y_min"
+type = "inlet"
+velocity = ["0", "0.9", "0"]
+[[fluid.patches]]
+name = "out"
+face = "y_max"
+type = "outlet"
+[coupling]
+subcycles = 9
+[output]
+series = 0.0025
+frames = 0.005
+checkpoints = 0.0102
+"""
+
+
+class Coupled(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.case = self.folder / "bed.toml"
+        self.case.write_text(BED)
+
+    def run_case(self, name, *options, ranks=1):
+        command = [PROGRAM, "run", str(self.case), "-o", str(self.folder / name), "--quiet", *options]
+        if ranks > 1:
+            command = [MPIEXEC, "-n", str(ranks), *command]
+        done = subprocess.run(command, capture_output=True, text=True, env=ENVIRONMENT, timeout=300)
+        self.assertIn(done.returncode, (0, 5), done.stderr)
+        return json.loads((self.folder / name / "summary.json").read_text())
+
+    def fraction(self, name, frame):
+        with h5py.File(self.folder / name / "fluid" / f"fluid_{frame:06}.h5") as file:
+            return file["fields/void_fraction"][:]
+
+    def test_threads_restart_and_ranks(self):
+        whole = self.run_case("whole", "--threads", "1")
+        self.assertEqual(whole["status"], "finished")
+        self.assertLess(whole["ledger"]["coupling_error"], 1e-12 * 9.81 * 3e-4 * 0.02)
+        threads = self.run_case("threads", "--threads", "2")
+        self.assertEqual((threads["state_hash"], threads["fluid_hash"]), (whole["state_hash"], whole["fluid_hash"]))
+
+        # In the middle of a step of the fluid.
+        self.run_case("pieces", "--until", "0.0102", "--threads", "2")
+        pieces = self.run_case("pieces", "--restart", "latest", "--threads", "1")
+        self.assertEqual((pieces["state_hash"], pieces["fluid_hash"]), (whole["state_hash"], whole["fluid_hash"]))
+        self.assertEqual((self.folder / "pieces" / "series.csv").read_text().splitlines()[-1].split(",")[:20],
+                         (self.folder / "whole" / "series.csv").read_text().splitlines()[-1].split(",")[:20])
+
+        for ranks in (2, 3):
+            name = f"on{ranks}"
+            shared = self.run_case(name, "--threads", "1", ranks=ranks)
+            self.assertEqual(shared["status"], "finished")
+            # The same void fraction to the last bit, as long as the particles are the same.
+            numpy.testing.assert_array_equal(self.fraction(name, 0), self.fraction("whole", 0))
+            numpy.testing.assert_allclose(self.fraction(name, 1), self.fraction("whole", 1), atol=1e-6)
+            self.assertLess(shared["ledger"]["coupling_error"], 1e-12 * 9.81 * 3e-4 * 0.02)
+
+
+if __name__ == "__main__":
+    unittest.main()

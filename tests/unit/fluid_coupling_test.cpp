@@ -1,0 +1,327 @@
+// Particles in a fluid that is solved for: what is conserved, and closed forms.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "scree/app/simulation.h"
+#include "scree/input/load.h"
+#include "support/foreign_leaks.h"
+
+namespace scree {
+namespace {
+
+/// A cloud of colliding spheres in a periodic box of fluid, everything in motion.
+std::string cloud(double density, double viscosity, int subcycles) {
+  return fmt::format(R"toml(
+[simulation]
+end = 1
+time_step = 2e-5
+max_overlap = 0.9
+[domain]
+min = [0, 0, 0]
+max = [0.02, 0.02, 0.02]
+periodic = [true, true, true]
+[contact]
+normal = "linear"
+[[materials]]
+name = "grain"
+density = {}
+stiffness = {}
+restitution = 0.8
+friction = 0.3
+[[particles]]
+name = "cloud"
+material = "grain"
+diameter = 0.002
+insert = "random"
+count = 150
+velocity = {{ type = "random", value = [0.3, -0.2, 0.1], deviation = 0.3 }}
+[fluid]
+type = "incompressible"
+density = 10
+viscosity = {}
+cells = [5, 4, 6]
+velocity = ["0.3 * sin(314.159265358979 * y)", "0", "0.2"]
+convection = "van_leer"
+correctors = 2
+divergence_tolerance = 1e-13
+[coupling]
+drag = "gidaspow_blend"
+subcycles = {}
+)toml",
+                     density, 0.12 * density, viscosity, subcycles);
+}
+
+/// The tests are small: threads would cost more than they do.
+Case case_of(const std::string& text) {
+  omp_set_num_threads(1);
+  return parse_case(text, "coupled.toml");
+}
+
+std::array<double, 3> particle_momentum(const Simulation& s) {
+  const Particles& p = s.system().particles;
+  std::array<double, 3> sum{};
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (int a = 0; a < 3; ++a) sum[a] += p.mass[i] * p.motion.row(i)[lane::vx + a];
+  return sum;
+}
+
+/// Momentum of fluid, of particles and under way. With a backward formula of two steps the fluid's own is that of now
+/// and half of its last change.
+std::array<double, 3> momentum(const Simulation& s) {
+  const FluidBooks& b = s.coupling()->fluid.state.books;
+  const std::array<double, 3> particles = particle_momentum(s), between = under_way(s.system().particles);
+  std::array<double, 3> sum{};
+  for (int a = 0; a < 3; ++a) sum[a] = b.content[a] + 0.5 * b.change[a] + particles[a] + between[a];
+  return sum;
+}
+
+double drift_of(const std::string& text, int steps) {
+  Simulation s(case_of(text), 1);
+  for (int n = 0; n < 20; ++n) s.step();
+  const std::array<double, 3> first = momentum(s);
+  double size = 0, drift = 0;
+  for (const double m : particle_momentum(s)) size += std::abs(m);
+  for (int n = 0; n < steps; ++n) {
+    s.step();
+    if (n % 50 != 0) continue;
+    const std::array<double, 3> now = momentum(s);
+    for (int a = 0; a < 3; ++a) drift = std::max(drift, std::abs(now[a] - first[a]) / size);
+  }
+  return drift;
+}
+
+TEST(FluidCoupling, MomentumOfFluidAndParticlesIsConstantWhateverTheSubcycling) {
+  EXPECT_LT(drift_of(cloud(2500, 1e-3, 1), 300), 1e-12);
+  EXPECT_LT(drift_of(cloud(2500, 1e-3, 7), 1000), 1e-12);
+  EXPECT_LT(drift_of(cloud(200, 0.1, 10), 1000), 1e-12);  // light and strongly dragged
+}
+
+TEST(FluidCoupling, VolumeIsConserved) {
+  Simulation s(case_of(cloud(2500, 1e-3, 5)), 1);
+  for (int n = 0; n < 100; ++n) s.step();
+  const FluidSolver& f = s.coupling()->fluid;
+  const double solids = 150 * std::numbers::pi / 6 * std::pow(0.002, 3);
+  EXPECT_NEAR(f.state.books.content[3], std::pow(0.02, 3) - solids, 1e-13 * std::pow(0.02, 3));
+  EXPECT_LT(std::abs(f.state.books.error[3]), 1e-12 * std::pow(0.02, 3));
+  EXPECT_LT(s.coupling()->report.divergence, 1e-8);
+}
+
+/// Particles that go with a uniform flow leave it uniform, whatever the void fraction is.
+TEST(FluidCoupling, UniformFlowWithMovingParticlesStaysUniform) {
+  std::string text = cloud(2500, 1e-3, 4);
+  const auto replace = [&](const std::string& a, const std::string& b) { text.replace(text.find(a), a.size(), b); };
+  replace(R"({ type = "random", value = [0.3, -0.2, 0.1], deviation = 0.3 })", "[0.3, -0.2, 0.1]");
+  replace(R"x(["0.3 * sin(314.159265358979 * y)", "0", "0.2"])x", R"(["0.3", "-0.2", "0.1"])");
+  Simulation s(case_of(text), 1);
+  for (int n = 0; n < 400; ++n) s.step();
+  const FluidSolver& f = s.coupling()->fluid;
+  const double expected[3] = {0.3, -0.2, 0.1};
+  double worst = 0, least = 1, most = 0;
+  for (int k = 0; k < f.mesh.n[2]; ++k)
+    for (int j = 0; j < f.mesh.n[1]; ++j)
+      for (int i = 0; i < f.mesh.n[0]; ++i) {
+        const std::int64_t c = f.mesh.index(i, j, k);
+        for (int a = 0; a < 3; ++a) worst = std::max(worst, std::abs(f.state.velocity[a][c] - expected[a]));
+        least = std::min(least, f.state.fraction[c]);
+        most = std::max(most, f.state.fraction[c]);
+      }
+  // Not exactly: the void fraction of a face is interpolated from cells, whose sums move by the splines.
+  EXPECT_LT(worst, 0.02 * std::hypot(0.3, 0.2, 0.1));
+  EXPECT_GT(most - least, 0.02);
+}
+
+/// Fluid and particles relax towards each other as two bodies, without growth, for any ratio of masses and any drag.
+TEST(FluidCoupling, DragOfARestingCloudRelaxesAsTwoBodiesDo) {
+  for (const double density : {10.0, 288.0, 2e4, 5.8e5})
+    for (const double drag : {1e-3, 0.1, 1.0, 50.0}) {
+      SCOPED_TRACE(fmt::format("density {} drag {}", density, drag));
+      const double d = 0.002, dt = 1e-4, volume = std::pow(0.02, 3);
+      const double mass = density * std::numbers::pi / 6 * d * d * d;
+      const double viscosity = drag * mass / dt / (3 * std::numbers::pi * d);
+      std::string text = fmt::format(R"toml(
+[simulation]
+end = 1
+time_step = 1e-4
+[domain]
+min = [0, 0, 0]
+max = [0.02, 0.02, 0.02]
+periodic = [true, true, true]
+[contact]
+normal = "linear"
+[[materials]]
+name = "grain"
+density = {}
+stiffness = {}
+restitution = 0.8
+[[particles]]
+name = "cloud"
+material = "grain"
+diameter = 0.002
+insert = "lattice"
+spacing = 0.005
+velocity = [0.1, 0, 0]
+region_min = [0, 0, 0]
+region_max = [0.02, 0.02, 0.02]
+[fluid]
+type = "incompressible"
+density = 10
+viscosity = {}
+cells = [4, 4, 4]
+[coupling]
+drag = "stokes"
+subcycles = 1
+)toml",
+                                     density, 1e-4 * density, viscosity);
+      Simulation s(case_of(text), 1);
+      const double count = double(s.system().particles.size());
+      const double solids = count * mass, fluid = 10 * (volume - count * mass / density);
+      double largest = 0;
+      for (int n = 0; n < 60; ++n) {
+        s.step();
+        for (std::size_t i = 0; i < s.system().particles.size(); ++i)
+          largest = std::max(largest, std::abs(s.system().particles.motion.row(i)[lane::vx]));
+      }
+      EXPECT_LT(largest, 0.1 * (1 + 1e-9));
+      // Slip dies with the rate of both masses.
+      const double u = s.coupling()->fluid.state.velocity[0][s.coupling()->fluid.mesh.index(1, 1, 1)];
+      const double v = s.system().particles.motion.row(0)[lane::vx];
+      const double rate = drag / dt * (1 + solids / fluid), slip = 0.1 * std::exp(-rate * 60 * dt);
+      if (rate * dt < 0.05) {
+        EXPECT_NEAR((v - u) / 0.1, slip / 0.1, 0.03);
+      } else {
+        EXPECT_LT(std::abs(v - u), 0.1);
+      }
+    }
+}
+
+/// One sphere sinks in a closed box of water: what it has against the water around it is Stokes' velocity, for cells
+/// from four diameters to half of one; and it gets there as an exponential does.
+TEST(FluidCoupling, ASphereSinksWithStokesVelocity) {
+  const double d = 1e-4, terminal = (2000.0 - 1000) * 9.81 * d * d / (18 * 1e-3);
+  for (const int cells : {3, 6, 12}) {
+    SCOPED_TRACE(cells);
+    std::string text = fmt::format(R"toml(
+[simulation]
+end = 1
+time_step = 2e-5
+[domain]
+min = [0, 0, 0]
+max = [0.0012, 0.0012, 0.0012]
+periodic = [false, false, false]
+[gravity]
+type = "uniform"
+acceleration = [0, 0, -9.81]
+[contact]
+normal = "linear"
+[[materials]]
+name = "glass"
+density = 2000
+stiffness = 10
+restitution = 0.8
+[[particles]]
+name = "sphere"
+material = "glass"
+diameter = 1e-4
+insert = "positions"
+positions = [[0.00061, 0.00058, 0.0007]]
+[fluid]
+type = "incompressible"
+density = 1000
+viscosity = 1e-3
+cells = [{0}, {0}, {0}]
+[coupling]
+drag = "stokes"
+subcycles = 4
+)toml",
+                                   cells);
+    Simulation s(case_of(text), 1);
+    const auto slip = [&] {
+      const Particles& p = s.system().particles;
+      return p.stream.row(0)[2] - p.motion.row(0)[lane::vz];
+    };
+    const double mass_ratio = 2000.0 / 1000;
+    const double time = mass_ratio * 1000 * d * d / (18 * 1e-3);
+    for (int n = 0; n < 60; ++n) s.step();
+    // Velocities belong to the middle of the step; the stream to the fluid's last step.
+    EXPECT_NEAR(slip() / terminal, 1 - std::exp(-59.5 * 2e-5 / time), 0.03);
+    for (int n = 0; n < 600; ++n) s.step();
+    EXPECT_NEAR(slip() / terminal, 1, 0.01);
+  }
+}
+
+/// A particle that crosses cells pushes the fluid about, no more for shorter steps: largest pressure against the step.
+double spike(const std::string& cells, double dt) {
+  Simulation s(case_of(fmt::format(R"toml(
+[simulation]
+end = 100
+time_step = {}
+[domain]
+min = [0, 0, 0]
+max = [1, 12, 1]
+periodic = [true, false, true]
+[contact]
+normal = "linear"
+[[materials]]
+name = "ball"
+density = 1000
+stiffness = 1e5
+restitution = 0.8
+[[particles]]
+name = "ball"
+material = "ball"
+diameter = 0.49
+insert = "positions"
+positions = [[0.3, 3, 0.5]]
+velocity = [0, 1, 0]
+[fluid]
+type = "incompressible"
+density = 1
+viscosity = 0
+{}
+divergence_tolerance = 1e-12
+velocity = ["0", "0.2", "0"]
+[[fluid.patches]]
+name = "in"
+face = "y_min"
+type = "inlet"
+velocity = ["0", "0.2", "0"]
+[[fluid.patches]]
+name = "out"
+face = "y_max"
+type = "outlet"
+[coupling]
+drag = "none"
+subcycles = 1
+diffusion = 0
+pressure_force = false
+)toml",
+                                   dt, cells)),
+               1);
+  const int steps = static_cast<int>(std::lround(3 / dt));
+  double largest = 0;
+  for (int n = 0; n < steps; ++n) {
+    s.step();
+    if (n * dt < 0.5) continue;
+    const FluidSolver& f = s.coupling()->fluid;
+    for (int j = 0; j < f.mesh.n[1]; ++j)
+      largest = std::max(largest, std::abs(f.state.pressure[f.mesh.index(0, j, 0)]));
+  }
+  return largest;
+}
+
+TEST(FluidCoupling, ThePressureOfACrossingParticleDoesNotGrowWithShorterSteps) {
+  for (const char* cells : {"cells = [1, 12, 1]", "cells = [1, 12, 1]\ny = [{ to = 12, cells = 12, ratio = 3 }]"}) {
+    SCOPED_TRACE(cells);
+    const double coarse = spike(cells, 0.02), middle = spike(cells, 0.01), fine = spike(cells, 0.005);
+    EXPECT_LT(middle / coarse, 1.3);
+    EXPECT_LT(fine / middle, 1.3);
+    EXPECT_GT(fine, 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace scree
