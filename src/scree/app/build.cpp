@@ -39,6 +39,8 @@ void build_flow(const FlowKeys& k, Fields& f) {
   f.shear_origin = k.shear_origin;
   if (f.flow == FlowKind::expression) f.velocity = formulas(k.expression, place_and_time);
   f.drag = f.flow == FlowKind::none ? SC_DRAG_NONE : drag_law(k.drag);
+  f.forces = f.flow == FlowKind::none ? FluidForces{} : body_forces(body_drag_law(k.drag));
+  if (f.forces.body_drag != 0) f.drag = SC_DRAG_OF_FIELD;
   f.density = k.density;
   f.viscosity = k.viscosity;
   f.buoyancy = f.flow != FlowKind::none && k.buoyancy && f.body == BodyForce::uniform;

@@ -157,7 +157,7 @@ void say_fluid(const Case& c, const Derived& d, Lines& lines) {
   lines.push_back({"drag relaxation time", fmt::format("{:.4g} s{}", f.relaxation_time, share),
                    warn_if(!exact && ratio > 1),
                    "explicit drag needs a step below the relaxation time; use integrator = \"leapfrog\""});
-  const bool stokes = c.flow.drag == "stokes";
+  const bool stokes = c.flow.drag == "stokes" || c.flow.drag == "stokes_ellipsoid";
   lines.push_back({"particle Reynolds number", fmt::format("up to {:.3g}", f.reynolds),
                    warn_if(f.reynolds > (stokes ? 1.0 : 2e5)),
                    stokes ? "Stokes drag holds well below 1; use drag = \"schiller_naumann\""

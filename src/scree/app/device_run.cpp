@@ -74,6 +74,8 @@ void refuse_on_device(const Case& c) {
   if (c.flow.type == "expression") refuse(c, "flow.type", "flows by formula are");
   if (couples(c)) refuse(c, "fluid.type", "particles in a flow that is solved for are");
   if (c.flow.buoyancy) refuse(c, "flow.buoyancy", "buoyancy is");
+  if (c.flow.drag != "none" && c.flow.drag != "stokes" && c.flow.drag != "schiller_naumann")
+    refuse(c, "flow.drag", "drag by shape is");
   if (!c.analysis.planes.empty()) refuse(c, "analysis.planes.0.point", "counting planes are");
 }
 

@@ -5,6 +5,7 @@
 
 #include "scree/data/vertices.h"
 #include "scree/particles/fields.h"
+#include "scree/physics/drag/body/body.h"
 #include "scree/physics/drag/crowded.h"
 
 namespace scree {
@@ -36,6 +37,16 @@ inline int drag_law(const std::string& name) {
   if (name == "di_felice") return SC_DRAG_DI_FELICE;
   if (name == "beetstra") return SC_DRAG_BEETSTRA;
   if (name == "syamlal_obrien") return SC_DRAG_SYAMLAL_OBRIEN;
+  return SC_DRAG_NONE;
+}
+
+/// Drag by shape; of Zastawny's two shapes the first stands for both.
+inline int body_drag_law(const std::string& name) {
+  if (name == "stokes_ellipsoid") return SC_DRAG_STOKES_ELLIPSOID;
+  if (name == "haider_levenspiel") return SC_DRAG_HAIDER_LEVENSPIEL;
+  if (name == "ganser") return SC_DRAG_GANSER;
+  if (name == "holzer_sommerfeld") return SC_DRAG_HOLZER_SOMMERFELD;
+  if (name == "zastawny") return SC_DRAG_ZASTAWNY_5_2;
   return SC_DRAG_NONE;
 }
 

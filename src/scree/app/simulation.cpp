@@ -28,6 +28,7 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const R
   motions_ = build_wall_motions(c, system_.walls, system_.domain);
   findings_.fastest2 = fastest_square(system_.particles);
   lists_ = prepare_lists(system_, c.simulation.skin);
+  know_shapes(fields_, system_.forms);
   std::optional<Particles> saved;
   // What there is at all only all particles tell; where sizes matter, every rank has read them all.
   if (resumed) saved = particles_of(*resumed, takes_over(c) ? Ranks() : ranks);
@@ -134,6 +135,7 @@ void Simulation::evaluate_own_fields(double time) {
 /// Contacts, kick and drift in one pass: each tile of particles passes through the cache once.
 void Simulation::advance_particles() {
   evaluate_own_fields(clock_.now());
+  turn_by_flow(fields_, system_.particles, clock_.now(), move_now().kick);
   const Stopwatch watch(stages_, "contacts and motion");
   const sc_field* field = fields_matter() ? field_.data() : nullptr;
   const SweepView view = view_of(system_, lists_, move_now(), contact_time_now(), field);

@@ -100,15 +100,38 @@ void check_insertion(const Check& check, std::size_t index) {
                "set flow.type   (scree explain flow.type)");
 }
 
+/// Drag by shape: Zastawny's coefficients are of two shapes, and hard collisions know no torque of a flow.
+void check_body_drag(const Check& check) {
+  const std::string& drag = check.c.flow.drag;
+  if (drag == "none" || drag == "stokes" || drag == "schiller_naumann" || !check.sound({"flow.drag", "particles"}))
+    return;
+  if (is_hard(check.c))
+    return check.fail("E164", "flow.drag", fmt::format("drag = '{}' does not go with hard collisions", drag),
+                      "it turns particles, too, and contact.collision is 'hard'",
+                      "choose contact.collision = 'soft', or drag = 'schiller_naumann'");
+  if (drag != "zastawny") return;
+  for (std::size_t i = 0; i < check.c.particles.size(); ++i) {
+    const ParticleKeys& p = check.c.particles[i];
+    const Vec3& a = p.half_axes;
+    const bool round = p.shape == "ellipsoid" && std::abs(a[1] / a[0] - 1) < 1e-6;
+    if (round && (std::abs(a[2] / a[0] - 2.5) < 1e-6 || std::abs(a[2] / a[0] - 1.25) < 1e-6)) continue;
+    return check.fail("E164", "flow.drag", "drag = 'zastawny' is for ellipsoids of 2:2:5 and of 4:4:5",
+                      fmt::format("'{}' has another shape", p.name),
+                      "drag = 'holzer_sommerfeld' is for any shape; half_axes are in the order x, y, z");
+  }
+}
+
 void check_flow(const Check& check) {
   const FlowKeys& f = check.c.flow;
   if (f.type == "none") return;
   if (f.drag != "none" && f.viscosity == 0 && check.sound({"flow.viscosity", "flow.drag", "flow.type"}))
     check.fail("E163", "flow.drag", fmt::format("drag = '{}' needs the viscosity of the fluid", f.drag),
                "'viscosity' is missing", "add 'viscosity'   (scree explain flow.viscosity)");
-  if (f.drag == "schiller_naumann" && f.density == 0 && check.sound({"flow.density", "flow.drag", "flow.type"}))
-    check.fail("E163", "flow.drag", "drag = 'schiller_naumann' needs the density of the fluid", "'density' is missing",
-               "add 'density'   (scree explain flow.density)");
+  const bool creeping = f.drag == "none" || f.drag == "stokes";
+  if (!creeping && f.density == 0 && check.sound({"flow.density", "flow.drag", "flow.type"}))
+    check.fail("E163", "flow.drag", fmt::format("drag = '{}' needs the density of the fluid", f.drag),
+               "'density' is missing", "add 'density'   (scree explain flow.density)");
+  check_body_drag(check);
   if (!f.buoyancy || !check.sound({"flow.buoyancy", "flow.density", "flow.type", "gravity"})) return;
   if (f.density == 0)
     check.fail("E163", "flow.buoyancy", "buoyancy needs the density of the fluid", "'density' is missing",

@@ -52,11 +52,16 @@ const Section& flow_section() {
            "A cos ax cos ay sin az); shear: u_x grows with y; expression: formulas")
            .one_of({"none", "still", "uniform", "taylor_green", "shear", "expression"}),
        key("drag", &S::drag,
-           "law of the drag on a sphere; schiller_naumann: drag coefficient 24 / Re (1 + 0.15 Re^0.687), 0.44 from Re "
-           "= 1000")
-           .one_of({"none", "stokes", "schiller_naumann"})
+           "law of the drag, of any shape that of the sphere of equal volume: stokes; schiller_naumann: drag "
+           "coefficient "
+           "24 / Re (1 + 0.15 Re^0.687), 0.44 from Re = 1000. By the shape: haider_levenspiel, by its sphericity. By "
+           "shape and orientation, with the lift and the torques that belong to it: stokes_ellipsoid, exact for "
+           "ellipsoids in creeping flow; ganser; holzer_sommerfeld, by its shadows; zastawny, for ellipsoids of 2:2:5 "
+           "and 4:4:5 (docs/fluid_forces.md)")
+           .one_of({"none", "stokes", "schiller_naumann", "stokes_ellipsoid", "haider_levenspiel", "ganser",
+                    "holzer_sommerfeld", "zastawny"})
            .only_with("type", flowing),
-       key("density", &S::density, "of the fluid; schiller_naumann and buoyancy need it")
+       key("density", &S::density, "of the fluid; drag at finite Reynolds numbers, torques and buoyancy need it")
            .unit("kg/m3")
            .at_least(0)
            .only_with("type", flowing),

@@ -52,6 +52,43 @@ double displaced_share(const Fields& f, const Particles& particles, std::int64_t
   return f.density * volume * particles.motion.row(static_cast<std::size_t>(p))[lane::inverse_mass];
 }
 
+/// Derivative of a flow by formula along a step, by central differences.
+sc_vec slope(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, sc_vec step, double time) {
+  const double half = 0.5 / sc_norm(step);
+  return sc_scale(half,
+                  sc_sub(stream_at(f, formula, sc_add(x, step), time), stream_at(f, formula, sc_sub(x, step), time)));
+}
+
+/// The prescribed flow at x; the gradient of one that has none in closed form over a thousandth of `radius`.
+FluidThere flow_there(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, double radius, double time) {
+  FluidThere out;
+  out.density = f.density;
+  out.viscosity = f.viscosity;
+  out.velocity = stream_at(f, formula, x, time);
+  out.gradient.x = out.gradient.y = out.gradient.z = sc_zero_vec();
+  if (f.flow == FlowKind::shear) out.gradient.x.y = f.shear_rate;
+  if (f.flow == FlowKind::taylor_green || f.flow == FlowKind::expression) {
+    const double h = 1e-3 * radius;
+    const sc_vec a = slope(f, formula, x, sc_make_vec(h, 0, 0), time);
+    const sc_vec b = slope(f, formula, x, sc_make_vec(0, h, 0), time);
+    const sc_vec c = slope(f, formula, x, sc_make_vec(0, 0, h), time);
+    out.gradient.x = sc_make_vec(a.x, b.x, c.x);
+    out.gradient.y = sc_make_vec(a.y, b.y, c.y);
+    out.gradient.z = sc_make_vec(a.z, b.z, c.z);
+  }
+  return out;
+}
+
+/// What a prescribed flow does to a free particle beyond the drag of spheres.
+void add_flow_forces(const Fields& f, std::optional<VectorExpression>& formula, const Particles& particles,
+                     std::size_t p, double time, sc_field& field) {
+  const double* m = particles.motion.row(p);
+  const FluidThere there = flow_there(f, formula, sc_make_vec(m[0], m[1], m[2]), m[lane::radius], time);
+  const FluidPush push = push_of_fluid(f.forces, particles, p, there);
+  field.drag_rate = push.drag * m[lane::inverse_mass];
+  field.acceleration = sc_add_scaled(field.acceleration, m[lane::inverse_mass], push.force);
+}
+
 /// What a fluid that is solved for has said at its last step.
 void add_coupling(const Particles& particles, std::size_t p, sc_field& field) {
   const double *stream = particles.stream.row(p), *pull = particles.pull.row(p);
@@ -90,6 +127,7 @@ void evaluate(const Fields& fields, const Particles& particles, double time, con
     auto acceleration = fields.acceleration, velocity = fields.velocity;
     const Fields& f = fields;
     const bool vortices = f.flow == FlowKind::taylor_green, coupled = particles.coupled();
+    const bool pushes = f.forces.body_drag != 0;
 #pragma omp for schedule(static)
     for (std::int64_t begin = 0; begin < n; begin += block) {
       const std::int64_t end = std::min(n, begin + block);
@@ -102,8 +140,31 @@ void evaluate(const Fields& fields, const Particles& particles, double time, con
         out[p].drag_rate = 0;
         if (!vortices) out[p].fluid = stream_at(f, velocity, x, time);
         if (coupled) add_coupling(particles, static_cast<std::size_t>(p), out[p]);
+        if (pushes && free_body) add_flow_forces(f, velocity, particles, static_cast<std::size_t>(p), time, out[p]);
       }
       if (vortices) kernels.taylor_green(motion, f.amplitude, f.wavenumber, begin, end, out.data());
+    }
+  }
+}
+
+void know_shapes(Fields& f, const Forms& forms) {
+  if (f.forces.body_drag == 0) return;
+  // A run of spheres has no forms.
+  f.forces.shapes = make_flow_shapes(forms.empty() ? Forms{sphere_form()} : forms);
+}
+
+void turn_by_flow(const Fields& f, Particles& particles, double time, double dt) {
+  if (f.forces.body_drag == 0) return;
+  const std::int64_t n = static_cast<std::int64_t>(particles.size());
+#pragma omp parallel if (n >= 2 * least_share)
+  {
+    auto velocity = f.velocity;
+#pragma omp for schedule(static)
+    for (std::int64_t i = 0; i < n; ++i) {
+      const std::size_t p = static_cast<std::size_t>(i);
+      const double* m = particles.motion.row(p);
+      const FluidThere there = flow_there(f, velocity, sc_make_vec(m[0], m[1], m[2]), m[lane::radius], time);
+      turn_by_fluid(f.forces, particles, p, there, dt);
     }
   }
 }

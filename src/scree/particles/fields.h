@@ -10,6 +10,7 @@
 #include "scree/compute/buffer.h"
 #include "scree/data/particles.h"
 #include "scree/kernels/move_sphere.h"
+#include "scree/particles/fluid_forces.h"
 #include "scree/particles/sweep_view.h"
 
 namespace scree {
@@ -42,6 +43,7 @@ struct Fields {
   double density = 0;     // of the fluid [kg/m3]
   double viscosity = 0;   // of the fluid [Pa s]
   bool buoyancy = false;  // the fluid carries its part of the weight in uniform gravity
+  FluidForces forces;     // of drag by shape
 };
 
 /// True if some particle needs more than uniform gravity.
@@ -49,6 +51,12 @@ bool act_locally(const Fields& fields);
 
 /// Angular velocity of the frame at time t [rad/s].
 sc_vec frame_rotation(const Fields& fields, double time);
+
+/// Makes what the forces of the flow want to know of the forms of a run, where they want it.
+void know_shapes(Fields& fields, const Forms& forms);
+
+/// The torques of a prescribed flow act on all particles for `dt` [s] at the places and orientations they have.
+void turn_by_flow(const Fields& fields, Particles& particles, double time, double dt);
 
 /// Velocity of the undisturbed flow at a point [m/s]; zero without a flow.
 std::array<double, 3> flow_velocity(Fields& fields, const double* position, double time);
