@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// How many edges belong to one triangle alone; an edge of more than two fails.
-int open_edges(const Mesh& mesh) {
+int open_edges(const TriangleMesh& mesh) {
   std::map<std::pair<int, int>, int> uses;
   for (const auto& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) ++uses[std::minmax(t[k], t[(k + 1) % 3])];
@@ -30,7 +30,7 @@ int open_edges(const Mesh& mesh) {
   return open;
 }
 
-double area(const Mesh& mesh) {
+double area(const TriangleMesh& mesh) {
   double sum = 0;
   for (const auto& [a, b, c] : mesh.triangles)
     sum +=
@@ -40,7 +40,7 @@ double area(const Mesh& mesh) {
 
 TEST(BenchMesh, TheDrumIsAClosedPrism) {
   const double radius = 0.06, length = 0.18, segments = 64;
-  const Mesh drum = drum_mesh(radius, length);
+  const TriangleMesh drum = drum_mesh(radius, length);
   EXPECT_EQ(open_edges(drum), 0);
   const double sector = 2 * std::numbers::pi / segments;
   const double cap = 0.5 * segments * radius * radius * std::sin(sector);
@@ -50,7 +50,7 @@ TEST(BenchMesh, TheDrumIsAClosedPrism) {
 
 TEST(BenchMesh, TheSiloIsOpenAboveAndBelow) {
   const double bin = 0.03, height = 0.3, outlet = 0.012, drop = 0.03;
-  const Mesh silo = silo_mesh(bin, height, outlet, drop);
+  const TriangleMesh silo = silo_mesh(bin, height, outlet, drop);
   EXPECT_EQ(open_edges(silo), 2 * 4 * 10);
   const double slope = std::hypot(drop, bin - outlet);
   EXPECT_NEAR(area(silo), 8 * bin * height + 4 * (bin + outlet) * slope, 1e-15);
@@ -58,9 +58,9 @@ TEST(BenchMesh, TheSiloIsOpenAboveAndBelow) {
 
 TEST(BenchMesh, TheFileGivesTheSameNumbersBack) {
   const fs::path file = fs::temp_directory_path() / "scree_bench_mesh_test.stl";
-  const Mesh drum = drum_mesh(0.06, 0.18);
+  const TriangleMesh drum = drum_mesh(0.06, 0.18);
   write_text_file(file, stl_text("drum", drum));
-  const Mesh read = read_mesh(file.string());
+  const TriangleMesh read = read_mesh(file.string());
   fs::remove(file);
   ASSERT_EQ(read.triangles, drum.triangles);
   ASSERT_EQ(read.vertices.size(), drum.vertices.size());

@@ -23,7 +23,7 @@ const sc_vec low = sc_make_vec(-1, 0, 2), high = sc_make_vec(1, 3, 3.5);
 
 Triangles box() { return test::box_triangles(low, high); }
 
-Mesh stl_mesh(const Triangles& triangles) { return weld(parse_stl(test::stl_text(triangles), "a.stl")); }
+TriangleMesh stl_mesh(const Triangles& triangles) { return weld(parse_stl(test::stl_text(triangles), "a.stl")); }
 
 template <class Read>
 std::string message_of(Read&& read) {
@@ -43,7 +43,7 @@ std::string stl_message(std::string_view text) {
   return message_of([&] { parse_stl(text, "a.stl"); });
 }
 
-void expect_box(const Mesh& mesh) {
+void expect_box(const TriangleMesh& mesh) {
   const MeshReport report = report_mesh(mesh);
   EXPECT_EQ(report.triangles, 12);
   EXPECT_EQ(report.vertices, 8);
@@ -85,7 +85,7 @@ TEST(MeshFile, EveryKindOfFileGivesTheBox) {
 TEST(MeshFile, CapitalsSeveralSolidsAndBadNormalsAreRead) {
   const std::string one =
       "FACET NORMAL nan nan nan OUTER LOOP VERTEX 0 0 0 VERTEX 1 0 0 VERTEX 0 1 0 ENDLOOP ENDFACET\n";
-  const Mesh mesh = parse_stl("\nSOLID a facet b\n" + one + one + "ENDSOLID a\nsolid\nendsolid\n", "a.stl");
+  const TriangleMesh mesh = parse_stl("\nSOLID a facet b\n" + one + one + "ENDSOLID a\nsolid\nendsolid\n", "a.stl");
   EXPECT_EQ(mesh.triangles.size(), 2u);
   EXPECT_EQ(mesh.vertices.size(), 6u);
 }
@@ -163,7 +163,7 @@ TEST(MeshWeld, JoinsWhatIsCloserThanTheTolerance) {
 
 TEST(MeshWeld, JoinsAcrossTheCellsItLooksIn) {
   // The diagonal is 5, so the tolerance is 5e-9 and the cells are 5e-6 wide.
-  Mesh loose;
+  TriangleMesh loose;
   loose.vertices = {sc_make_vec(0, 0, 0), sc_make_vec(3, 4, 0), sc_make_vec(0, 1, 0), sc_make_vec(0, 2, 0)};
   loose.triangles.push_back({0, 1, 2});
   constexpr int pairs = 100;
@@ -180,7 +180,7 @@ TEST(MeshWeld, LeavesOutWhatHasNoAreaAndWhatIsThere) {
   triangles.push_back({triangles[3][1], triangles[3][0], triangles[3][2]});
   triangles.push_back({low, low, high});
   triangles.push_back({low, high, sc_scale(0.5, sc_add(low, high))});
-  const Mesh mesh = stl_mesh(triangles);
+  const TriangleMesh mesh = stl_mesh(triangles);
   expect_box(mesh);
   EXPECT_EQ(mesh.duplicate, 1);
   EXPECT_EQ(mesh.degenerate, 2);

@@ -24,7 +24,7 @@ constexpr int segments = 64;  // of the drum, a multiple of 4
 /// Appends the image of the unit square in columns x rows cells, two triangles each; neighbours share no vertices yet.
 /// Cells are cut along the diagonal towards the middle of the square, so that none has its corners on a disc's rim
 /// only.
-void add_sheet(Mesh& mesh, int columns, int rows, const std::function<sc_vec(double, double)>& place) {
+void add_sheet(TriangleMesh& mesh, int columns, int rows, const std::function<sc_vec(double, double)>& place) {
   const auto add = [&](std::array<sc_vec, 3> corners) {
     const int first = static_cast<int>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
@@ -55,8 +55,8 @@ sc_vec on_disc(double x, double radius, double a, double b) {
 
 }  // namespace
 
-Mesh drum_mesh(double radius, double length) {
-  Mesh loose;
+TriangleMesh drum_mesh(double radius, double length) {
+  TriangleMesh loose;
   const int along = std::max(1, static_cast<int>(std::round(length * segments / (2 * std::numbers::pi * radius))));
   add_sheet(loose, segments, along, [&](double s, double t) { return on_circle(t * length, radius, s); });
   for (const double x : {0.0, length})
@@ -65,9 +65,9 @@ Mesh drum_mesh(double radius, double length) {
   return weld(loose);
 }
 
-Mesh silo_mesh(double bin, double bin_height, double outlet, double hopper_height) {
+TriangleMesh silo_mesh(double bin, double bin_height, double outlet, double hopper_height) {
   constexpr int across = 10;
-  Mesh loose;
+  TriangleMesh loose;
   const auto rows = [&](double height) {
     return std::max(1, static_cast<int>(std::round(height * across / (2 * bin))));
   };
@@ -89,7 +89,7 @@ Mesh silo_mesh(double bin, double bin_height, double outlet, double hopper_heigh
   return weld(loose);
 }
 
-std::string stl_text(const std::string& name, const Mesh& mesh) {
+std::string stl_text(const std::string& name, const TriangleMesh& mesh) {
   std::string text = fmt::format("solid {}\n", name);
   for (const auto& [a, b, c] : mesh.triangles) {
     const std::array<sc_vec, 3> corners{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};

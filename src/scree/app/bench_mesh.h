@@ -9,14 +9,14 @@
 namespace scree {
 
 /// A closed drum about the x axis, from x = 0 to `length`: 64 segments around, triangles about as high as wide [m].
-Mesh drum_mesh(double radius, double length);
+TriangleMesh drum_mesh(double radius, double length);
 
 /// The walls of a bin that is square seen from above, of the half width `bin`, over a hopper that narrows to the half
 /// width `outlet` at z = 0; open above and below [m].
-Mesh silo_mesh(double bin, double bin_height, double outlet, double hopper_height);
+TriangleMesh silo_mesh(double bin, double bin_height, double outlet, double hopper_height);
 
 /// The mesh as a text STL file; reading it back gives the same numbers.
-std::string stl_text(const std::string& name, const Mesh& mesh);
+std::string stl_text(const std::string& name, const TriangleMesh& mesh);
 
 /// Writes SCENE.stl into `directory` if the scene has a mesh and the file is not there yet. Returns what must be
 /// changed in the scene's cases, whose first wall it is; nothing for a scene without a mesh. Throws ResourceError.

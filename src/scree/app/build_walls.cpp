@@ -53,13 +53,13 @@ void add_round(std::vector<sc_wall>& faces, const WallKeys& keys) {
 }
 
 /// The surface of a wall of type 'triangles' or 'mesh', in metres. Throws InputError if the file cannot be read.
-Mesh mesh_of(const WallKeys& keys) {
+TriangleMesh mesh_of(const WallKeys& keys) {
   if (keys.type == "mesh") {
-    Mesh mesh = read_mesh(keys.file);
+    TriangleMesh mesh = read_mesh(keys.file);
     for (sc_vec& x : mesh.vertices) x = sc_add_scaled(vec_of(keys.offset), keys.scale, x);
     return mesh;
   }
-  Mesh loose;
+  TriangleMesh loose;
   for (std::size_t i = 0; i < keys.vertices.size(); ++i) {
     loose.vertices.push_back(vec_of(keys.vertices[i]));
     const int corner = static_cast<int>(i);
@@ -68,7 +68,7 @@ Mesh mesh_of(const WallKeys& keys) {
   return weld(loose);
 }
 
-void add_triangles(std::vector<sc_wall>& faces, const Mesh& mesh) {
+void add_triangles(std::vector<sc_wall>& faces, const TriangleMesh& mesh) {
   for (const auto& [a, b, c] : mesh.triangles) {
     sc_wall face = sc_wall_of(SC_WALL_TRIANGLE);
     face.a = mesh.vertices[a];
@@ -95,7 +95,7 @@ std::vector<sc_wall> faces_of(const WallKeys& keys, std::vector<MeshReport>* rep
   } else if (keys.type == "box") {
     add_box(faces, keys.min, keys.max);
   } else if (keys.type == "triangles" || keys.type == "mesh") {
-    const Mesh mesh = mesh_of(keys);
+    const TriangleMesh mesh = mesh_of(keys);
     if (reports) reports->push_back(report_mesh(mesh));
     add_triangles(faces, mesh);
   } else {

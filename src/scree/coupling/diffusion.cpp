@@ -55,7 +55,7 @@ void diffuse(Diffusion& d, const Mesh& m, const Ranks& ranks, const VectorField&
     std::fill(x[a].begin(), x[a].end(), 0.0);
     std::fill(d.spare[a].begin(), d.spare[a].end(), 0.0);
   }
-  solve(m, ranks, d.equation, amount, tolerance, {&x, &d.spare});
+  solve(m, ranks, d.equation, amount, tolerance, {x, d.spare});
 }
 
 }  // namespace scree

@@ -8,7 +8,7 @@
 
 namespace scree {
 
-struct Mesh {
+struct TriangleMesh {
   std::vector<sc_vec> vertices;
   std::vector<std::array<int, 3>> triangles;  // indices into `vertices`
   int degenerate = 0;                         // triangles left out because they have no area

@@ -14,14 +14,14 @@
 
 namespace scree {
 
-Mesh read_mesh(const std::string& path) {
+TriangleMesh read_mesh(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (ending != ".stl" && ending != ".obj")
     throw InputError(fmt::format("{}: expected a file of triangles whose name ends in .stl or .obj", path));
   const std::string bytes = read_text_file(path);
-  const Mesh loose = ending == ".stl" ? parse_stl(bytes, path) : parse_obj(bytes, path);
-  Mesh mesh = weld(loose);
+  const TriangleMesh loose = ending == ".stl" ? parse_stl(bytes, path) : parse_obj(bytes, path);
+  TriangleMesh mesh = weld(loose);
   if (mesh.triangles.empty())
     throw InputError(loose.triangles.empty() ? fmt::format("{}: there is no triangle in this file", path)
                                              : fmt::format("{}: none of the {} triangles of this file has an area",

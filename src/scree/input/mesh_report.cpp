@@ -21,7 +21,7 @@ struct Edge {
   bool forward;
 };
 
-std::vector<Edge> edges_of(const Mesh& mesh) {
+std::vector<Edge> edges_of(const TriangleMesh& mesh) {
   std::vector<Edge> edges;
   edges.reserve(3 * mesh.triangles.size());
   for (const auto& t : mesh.triangles)
@@ -48,7 +48,7 @@ class Union {
   std::vector<int> parent_;
 };
 
-std::vector<MeshRim> rims_of(const Mesh& mesh, const std::vector<Edge>& open) {
+std::vector<MeshRim> rims_of(const TriangleMesh& mesh, const std::vector<Edge>& open) {
   Union together(mesh.vertices.size());
   for (const Edge& edge : open) together.join(edge.low, edge.high);
   std::map<int, MeshRim> rims;  // by root
@@ -67,7 +67,7 @@ std::vector<MeshRim> rims_of(const Mesh& mesh, const std::vector<Edge>& open) {
   return out;
 }
 
-void count_edges(const Mesh& mesh, MeshReport& report) {
+void count_edges(const TriangleMesh& mesh, MeshReport& report) {
   const std::vector<Edge> edges = edges_of(mesh);
   std::vector<Edge> open;
   for (std::size_t first = 0, end; first < edges.size(); first = end) {
@@ -82,7 +82,7 @@ void count_edges(const Mesh& mesh, MeshReport& report) {
   report.rims = rims_of(mesh, open);
 }
 
-int count_pieces(const Mesh& mesh) {
+int count_pieces(const TriangleMesh& mesh) {
   Union together(mesh.vertices.size());
   for (const auto& t : mesh.triangles)
     for (int corner : t) together.join(corner, t[0]);
@@ -98,7 +98,7 @@ std::string counted(int count, std::string_view one, std::string_view many) {
 
 }  // namespace
 
-MeshReport report_mesh(const Mesh& mesh) {
+MeshReport report_mesh(const TriangleMesh& mesh) {
   MeshReport report;
   report.triangles = static_cast<int>(mesh.triangles.size());
   report.vertices = static_cast<int>(mesh.vertices.size());

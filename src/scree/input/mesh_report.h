@@ -24,13 +24,13 @@ struct MeshReport {
   std::vector<MeshRim> rims;          // of these edges, the longest first
   int crowded_edges = 0;              // with more than two
   int flipped_edges = 0;              // with two that are wound against each other
-  int degenerate = 0, duplicate = 0;  // triangles left out, see Mesh
+  int degenerate = 0, duplicate = 0;  // triangles left out, see TriangleMesh
 
   bool closed() const { return open_edges == 0 && crowded_edges == 0; }
 };
 
 /// Looks at a welded mesh, in metres.
-MeshReport report_mesh(const Mesh& mesh);
+MeshReport report_mesh(const TriangleMesh& mesh);
 
 /// The report in words: a line of what it is, then a line for everything that is unusual.
 std::string describe(const MeshReport& report);

@@ -60,7 +60,7 @@ class Places {
   std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
 };
 
-void drop_unused_vertices(Mesh& mesh) {
+void drop_unused_vertices(TriangleMesh& mesh) {
   std::vector<int> place(mesh.vertices.size(), 0);
   for (const auto& triangle : mesh.triangles)
     for (int corner : triangle) place[corner] = 1;
@@ -75,7 +75,7 @@ void drop_unused_vertices(Mesh& mesh) {
     for (int& corner : triangle) corner = place[corner];
 }
 
-bool too_thin(const Mesh& mesh, const std::array<int, 3>& t, double tolerance) {
+bool too_thin(const TriangleMesh& mesh, const std::array<int, 3>& t, double tolerance) {
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
   const sc_vec a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
   const double longest = std::max({sc_norm(sc_sub(b, a)), sc_norm(sc_sub(c, b)), sc_norm(sc_sub(a, c))});
@@ -84,8 +84,8 @@ bool too_thin(const Mesh& mesh, const std::array<int, 3>& t, double tolerance) {
 
 }  // namespace
 
-Mesh weld(const Mesh& loose) {
-  Mesh mesh;
+TriangleMesh weld(const TriangleMesh& loose) {
+  TriangleMesh mesh;
   mesh.degenerate = loose.degenerate;
   mesh.duplicate = loose.duplicate;
   if (loose.triangles.empty()) return mesh;

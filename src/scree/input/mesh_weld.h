@@ -11,6 +11,6 @@ constexpr double weld_share = 1e-9;
 /// Makes one vertex (the first) of corners at the same place, drops vertices that no triangle has, leaves out and
 /// counts triangles that are thinner than the weld and those that were there already, however they are wound. The order
 /// of what stays is kept.
-Mesh weld(const Mesh& loose);
+TriangleMesh weld(const TriangleMesh& loose);
 
 }  // namespace scree

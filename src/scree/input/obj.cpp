@@ -58,7 +58,7 @@ int corner_of(std::string_view word, int vertices, const std::string& place) {
 }
 
 /// Adds a polygon as a fan of triangles.
-void add_face(Mesh& mesh, const std::vector<int>& corners, const std::string& place) {
+void add_face(TriangleMesh& mesh, const std::vector<int>& corners, const std::string& place) {
   if (corners.size() < 3)
     throw InputError(fmt::format("{}: a face has at least three corners, found {}", place, corners.size()));
   const auto area = [&](std::size_t k) {
@@ -75,10 +75,10 @@ void add_face(Mesh& mesh, const std::vector<int>& corners, const std::string& pl
 
 }  // namespace
 
-Mesh parse_obj(std::string_view text, const std::string& name) {
+TriangleMesh parse_obj(std::string_view text, const std::string& name) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-  Mesh mesh;
+  TriangleMesh mesh;
   int number = 0;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');

@@ -11,6 +11,6 @@ namespace scree {
 /// Vertices and faces of an OBJ file. Polygons become fans of triangles; a fan that folds over is refused, which convex
 /// polygons never do. Groups, materials, normals and texture are ignored, free-form surfaces refused. Throws InputError
 /// that begins with `name` and line.
-Mesh parse_obj(std::string_view text, const std::string& name);
+TriangleMesh parse_obj(std::string_view text, const std::string& name);
 
 }  // namespace scree

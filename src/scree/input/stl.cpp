@@ -16,7 +16,7 @@ constexpr std::size_t header_bytes = 84;  // 80 of text, then the count
 constexpr std::size_t triangle_bytes = 50;
 constexpr std::string_view blanks = " \t\r\n\f\v";
 
-void add_triangle(Mesh& mesh, const sc_vec (&corners)[3]) {
+void add_triangle(TriangleMesh& mesh, const sc_vec (&corners)[3]) {
   const int first = static_cast<int>(mesh.vertices.size());
   for (const sc_vec& corner : corners) mesh.vertices.push_back(corner);
   mesh.triangles.push_back({first, first + 1, first + 2});
@@ -34,14 +34,14 @@ float number_at(std::string_view bytes, std::size_t at) {
   return x;
 }
 
-Mesh parse_binary(std::string_view bytes, const std::string& name) {
+TriangleMesh parse_binary(std::string_view bytes, const std::string& name) {
   const std::size_t count = count_in_header(bytes);
   const std::size_t needed = header_bytes + triangle_bytes * count;
   if (bytes.size() != needed)
     throw InputError(fmt::format("{}: byte {}: a binary STL file of {} triangles has {} bytes, this one has {}: {}",
                                  name, std::min(bytes.size(), needed), count, needed, bytes.size(),
                                  bytes.size() < needed ? "it is cut off" : "something else follows"));
-  Mesh mesh;
+  TriangleMesh mesh;
   mesh.vertices.reserve(3 * count);
   mesh.triangles.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -106,7 +106,7 @@ class Words {
 };
 
 /// Behind the word 'facet', to the end of 'endfacet'.
-void parse_facet(Words& words, Mesh& mesh) {
+void parse_facet(Words& words, TriangleMesh& mesh) {
   words.expect("normal");
   // Some writers print nan for the normal of a triangle without area; nobody reads it.
   for (int k = 0; k < 3; ++k)
@@ -125,8 +125,8 @@ void parse_facet(Words& words, Mesh& mesh) {
   add_triangle(mesh, corners);
 }
 
-Mesh parse_text(std::string_view text, const std::string& name) {
-  Mesh mesh;
+TriangleMesh parse_text(std::string_view text, const std::string& name) {
+  TriangleMesh mesh;
   Words words(text, name);
   words.expect("solid");
   for (bool another = true; another;) {
@@ -144,7 +144,7 @@ Mesh parse_text(std::string_view text, const std::string& name) {
 
 }  // namespace
 
-Mesh parse_stl(std::string_view bytes, const std::string& name) {
+TriangleMesh parse_stl(std::string_view bytes, const std::string& name) {
   const bool long_enough = bytes.size() >= header_bytes;
   if (long_enough && bytes.size() == header_bytes + triangle_bytes * count_in_header(bytes))
     return parse_binary(bytes, name);

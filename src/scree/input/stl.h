@@ -11,6 +11,6 @@ namespace scree {
 /// The triangles of an STL file, each with three corners of its own; normals and attributes are ignored. Binary is what
 /// has the length that its count of triangles asks for, whatever its header says; several solids in a text are joined.
 /// Throws InputError that begins with `name` and line or byte.
-Mesh parse_stl(std::string_view bytes, const std::string& name);
+TriangleMesh parse_stl(std::string_view bytes, const std::string& name);
 
 }  // namespace scree
