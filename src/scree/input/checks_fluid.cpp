@@ -80,6 +80,11 @@ void check_company(const Check& check) {
   if (couples(c) && c.fluid.model != "a")
     check.fail("E164", "fluid.model", "model B is not there yet with particles", fmt::format("'{}'", c.fluid.model),
                "remove 'model': the particles feel the pressure gradient, as in model A");
+  if (couples(c) && (!c.fluid.lines.empty() || c.fluid.averages.from))
+    check.fail("E164", c.fluid.lines.empty() ? "fluid.averages.from" : "fluid.lines",
+               "tables along lines and means of the fluid are not there yet with particles",
+               fmt::format("the case has {} groups of particles", c.particles.size()),
+               "the frames of the fluid hold what they are made of   (scree explain output.frames)");
   if (couples(c) && c.fluid.steady > 0)
     check.fail("E164", "fluid.steady", "a run with particles ends at simulation.end", "fluid.steady is set",
                "remove 'steady'");
