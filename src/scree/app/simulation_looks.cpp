@@ -121,7 +121,8 @@ void Simulation::frame_share(FrameWriter* frames, FrameWriter* contacts) {
 /// What this rank knows of a frame. In which agglomerate a particle is the whole tells, at the root.
 FrameData Simulation::frame_data_share() {
   if (!case_.analysis.agglomerates) return frame_data(sample(), false);
-  return ranks_.root() ? frame_data(whole_sample(), true) : no_frame_data({true, system_.particles.shaped(), has_other_shapes(system_.forms)});
+  return ranks_.root() ? frame_data(whole_sample(), true)
+                       : no_frame_data({true, system_.particles.shaped(), has_other_shapes(system_.forms)});
 }
 
 bool Simulation::is_finite() {

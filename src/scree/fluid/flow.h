@@ -55,13 +55,13 @@ struct FluidSettings {
   double density = 1;    // [kg/m3]
   double viscosity = 0;  // dynamic [Pa s]
   int convection = SC_CENTRAL;
-  std::array<double, 3> gravity{};             // [m/s2]
-  std::array<PlaceFormula, 3> force;           // on the fluid, per volume [N/m3]; empty: none
-  PlaceFormula void_fraction;                  // empty: 1
-  bool model_b = false;                        // see solver.h
-  PlaceFormula drag;                           // K: the fluid feels K (v - u) per volume [kg/(m3 s)]; empty: none
-  std::array<PlaceFormula, 3> drag_velocity;   // v [m/s]; empty: at rest
-  bool moving_void_fraction = false;           // whether it depends on time
+  std::array<double, 3> gravity{};            // [m/s2]
+  std::array<PlaceFormula, 3> force;          // on the fluid, per volume [N/m3]; empty: none
+  PlaceFormula void_fraction;                 // empty: 1
+  bool model_b = false;                       // see solver.h
+  PlaceFormula drag;                          // K: the fluid feels K (v - u) per volume [kg/(m3 s)]; empty: none
+  std::array<PlaceFormula, 3> drag_velocity;  // v [m/s]; empty: at rest
+  bool moving_void_fraction = false;          // whether it depends on time
   // Void fraction, drag and forces are fields of whoever else is in the flow (FluidLoad); then moving_void_fraction
   // must be set, the formulas of the three are not asked, and inlets give the volume that enters: velocities before
   // them.
