@@ -11,9 +11,9 @@
 #include "scree/input/mesh_file.h"
 #include "scree/input/mesh_report.h"
 #include "scree/output/shape_file.h"
+#include "scree/particles/shapes.h"
 #include "scree/physics/shape/closest.h"
 #include "scree/physics/touch/contact_radius.h"
-#include "scree/physics/touch/shape_shape.h"
 #include "support/temporary_directory.h"
 #include "unit/shape_pairs.h"
 
@@ -191,8 +191,8 @@ TEST(Capsule, GrowthDistanceAsThatOfSegments) {
     const sc_vec branch = narrow((wanted / growth_by_segments(a, b, turn_b, d)) * d);
     const double truth = static_cast<double>(growth_by_segments(a, b, turn_b, wide(branch)));
     const sc_body_shape first{a.form.shape, a.radius, sc_unit_mat()}, second{b.form.shape, b.radius, turn_b};
-    const sc_shape_touch there = sc_touch_shapes(first, second, branch, 0, sc_growth_point{});
-    const sc_shape_touch back = sc_touch_shapes(second, first, sc_scale(-1, branch), 0, sc_growth_point{});
+    const sc_shape_touch there = touch_shapes(first, second, branch, false, sc_growth_point{});
+    const sc_shape_touch back = touch_shapes(second, first, sc_scale(-1, branch), false, sc_growth_point{});
     wrong += there.verdict != (wanted < 1 ? SC_GROWTH_TOUCHING : SC_GROWTH_APART);
     wrong += back.verdict != there.verdict;
     const double rounding = 1e-13;

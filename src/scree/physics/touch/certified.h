@@ -157,10 +157,11 @@ SC_FN sc_growth_touch sc_growth_solve_dual(sc_growth_pair p, int warm, sc_growth
 /// How two bodies meet. `start` may be where the solver ended before; `warm` says whether it is.
 SC_FN sc_growth_touch sc_growth_solve(sc_growth_pair p, int warm, sc_growth_point start) {
   if (sc_growth_is_concentric(p)) return sc_growth_concentric(p);
-  if ((p.shape_a == SC_SHAPE_CAPSULE) & (p.shape_b == SC_SHAPE_CAPSULE))
-    return sc_growth_resolve(p, 0, sc_growth_of_capsules(p));
   if (sc_growth_is_dual(p.gauge_a, p.gauge_b)) return sc_growth_solve_dual(p, warm, start);
-  return sc_growth_resolve(p, warm, sc_growth_run(p, warm ? start : sc_growth_cold(p)));
+  const int capsules = (p.shape_a == SC_SHAPE_CAPSULE) & (p.shape_b == SC_SHAPE_CAPSULE);
+  const sc_growth_search first =
+      capsules ? sc_growth_of_capsules(p) : sc_growth_run(p, warm ? start : sc_growth_cold(p));
+  return sc_growth_resolve(p, warm & !capsules, first);
 }
 
 #endif
