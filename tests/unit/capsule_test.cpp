@@ -249,7 +249,7 @@ double kinetic(const Simulation& s) {
 TEST(Capsule, APileComesToRestSoftAndHard) {
   for (const bool hard : {false, true}) {
     Simulation s(bed_of(hard, 12), Team{1});
-    test::advance(s, hard ? 1200 : 30000);
+    test::advance(s, hard ? 1200 : 60000);
     const double mass = 700 * 12 * make_form("capsule", {3, 3, 8}, 1, 1).volume * std::pow(8e-3, 3);
     EXPECT_LT(kinetic(s), 1e-5 * mass * 9.81 * 0.05) << hard;
     for (std::size_t i = 0; i < 12; ++i) {

@@ -41,7 +41,7 @@ const Shape shapes[] = {{"ellipsoid", {0.1, 0.07, 0.05}, 2, 2},
                         {"cube", {0.08, 0.08, 0.08}, 8, 8},
                         {"general", {0.1, 0.08, 0.06}, 5.3, 3.7},
                         {"pointed", {0.1, 0.08, 0.09}, 1.25, 1.3},
-                        {"capsule", {0.05, 0.05, 0.1}}};
+                        {"capsule", {0.07, 0.07, 0.12}}};
 
 struct Motion {
   sc_vec place, velocity, spin;
