@@ -219,7 +219,7 @@ void prepare_scalars(FluidSolver& s, const Bdf& bdf) {
   const double effective = bdf.dt / bdf.a0;
   for (std::size_t n = 0; n < s.state.scalars.size(); ++n) {
     ScalarWork& w = s.work.scalars[n];
-    const bool varies = !w.conductivity.empty() || s.settings.void_fraction, first = w.prepared_dt == 0;
+    const bool varies = !w.conductivity.empty() || !s.load.fraction.empty(), first = w.prepared_dt == 0;
     if (varies) find_conductivity(s, n);
     if (varies || first) find_faces(s, n);
     // Where an inlet turns round its conduction ends: walls alone keep the equations as they are.

@@ -91,7 +91,7 @@ void smooth(const Mesh& m, Field& field, Field& spare) {
 class Filter {
  public:
   explicit Filter(FluidSolver& s) : s_(s), spare_(s.mesh.make_field()) {
-    if (!s.settings.void_fraction) return;
+    if (s.load.fraction.empty()) return;
     per_mean_ = s.state.fraction;
     smooth(s.mesh, per_mean_, spare_);
     for_each_place(s.mesh, [&](std::int64_t c, const auto&) { per_mean_[c] = 1 / per_mean_[c]; });
