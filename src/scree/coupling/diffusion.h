@@ -1,6 +1,6 @@
-// What particles share out, spread further where they are large against the cells: one implicit step of diffusion,
-// which conserves and is its own adjoint (Sun & Xiao 2015, J. Comput. Phys. 282, 1; Capecelatro & Desjardins 2013, J.
-// Comput. Phys. 238, 1).
+// What particles share out, spread further where they are large against the cells: implicit steps of diffusion, which
+// conserve and are their own adjoint (Sun & Xiao 2015, J. Comput. Phys. 282, 1; Capecelatro & Desjardins 2013,
+// J. Comput. Phys. 238, 1).
 #pragma once
 
 #include "scree/fluid/helmholtz.h"
@@ -8,9 +8,9 @@
 namespace scree {
 
 struct Diffusion {
-  double length2 = 0;  // diffusivity times time [m2]; 0: nothing is done
+  double length2 = 0;  // diffusivity times time of a step [m2]; 0: nothing is done
   Helmholtz equation;
-  VectorField spare;
+  VectorField spare, rest;
 };
 
 /// Diffusion to the second moment of a Gaussian of full width at half maximum `width` [m].
