@@ -1,8 +1,8 @@
 #include "scree/app/state_share.h"
 
-#include <cstring>
 #include <utility>
 
+#include "scree/base/copy_bytes.h"
 #include "scree/base/hash.h"
 #include "scree/mpi/together.h"
 
@@ -59,7 +59,7 @@ void put_contacts(Archive& out, const std::string& of, KeyedContacts contacts, b
 void append(Bytes& to, const void* from, std::size_t size) {
   const std::size_t at = to.size();
   to.resize(at + size);
-  if (size > 0) std::memcpy(to.data() + at, from, size);
+  copy_bytes(to.data() + at, from, size);
 }
 
 /// -0 and 0 are the same state.

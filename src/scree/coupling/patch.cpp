@@ -1,6 +1,6 @@
 #include "scree/coupling/patch.h"
 
-#include <cstring>
+#include "scree/base/copy_bytes.h"
 
 namespace scree {
 namespace {
@@ -17,13 +17,13 @@ void for_each_row_of(const CellBox& box, Visit&& visit) {
 Bytes parcel(const CellBox& box, std::size_t bytes_per_cell) {
   const std::size_t cells = box.empty() ? 0 : static_cast<std::size_t>(box.cells());
   Bytes out(sizeof box + cells * bytes_per_cell);
-  std::memcpy(out.data(), &box, sizeof box);
+  copy_bytes(out.data(), &box, sizeof box);
   return out;
 }
 
 CellBox box_of(const Bytes& bytes) {
   CellBox box;
-  std::memcpy(&box, bytes.data(), sizeof box);
+  copy_bytes(&box, bytes.data(), sizeof box);
   return box;
 }
 
@@ -47,7 +47,7 @@ void read(const Mesh& m, const CellBox& part, const std::vector<const Field*>& f
 
 void put(const CellBox& part, const double* from, CellValues& to) {
   for_each_row_of(part, [&](int i, int j, int k, int n) {
-    std::memcpy(&to.values[static_cast<std::size_t>(to.offset(i, j, k))], from, sizeof(double) * n * to.width);
+    copy_bytes(&to.values[static_cast<std::size_t>(to.offset(i, j, k))], from, sizeof(double) * n * to.width);
     from += static_cast<std::size_t>(n) * to.width;
   });
 }
@@ -74,7 +74,7 @@ Deposits CellExchange::collect(const Deposits& mine) const {
     Bytes bytes = parcel(part, per_cell);
     std::byte* to = bytes.data() + sizeof part;
     for_each_row_of(part, [&](int i, int j, int k, int n) {
-      std::memcpy(to, &mine.values[static_cast<std::size_t>(mine.offset(i, j, k))], per_cell * n);
+      copy_bytes(to, &mine.values[static_cast<std::size_t>(mine.offset(i, j, k))], per_cell * n);
       to += per_cell * n;
     });
     out.push_back({r, std::move(bytes)});
@@ -83,7 +83,7 @@ Deposits CellExchange::collect(const Deposits& mine) const {
   for (const Message& m : ranks_.deliver(out)) {
     Deposits part;
     part.shape(box_of(m.bytes), mine.width);
-    std::memcpy(part.values.data(), m.bytes.data() + sizeof(CellBox), part.values.size() * sizeof(std::int64_t));
+    copy_bytes(part.values.data(), m.bytes.data() + sizeof(CellBox), part.values.size() * sizeof(std::int64_t));
     add(part.box, part, sum);
   }
   return sum;
@@ -109,12 +109,12 @@ CellValues CellExchange::fetch(const CellBox& box, const std::vector<const Field
     Bytes bytes = parcel(part, sizeof(double) * fields.size());
     std::vector<double> values(static_cast<std::size_t>(part.cells()) * fields.size());
     read(mesh_, part, fields, values.data());
-    std::memcpy(bytes.data() + sizeof part, values.data(), values.size() * sizeof(double));
+    copy_bytes(bytes.data() + sizeof part, values.data(), values.size() * sizeof(double));
     answers.push_back({m.rank, std::move(bytes)});
   }
   for (const Message& m : ranks_.deliver(answers)) {
     std::vector<double> values((m.bytes.size() - sizeof(CellBox)) / sizeof(double));
-    std::memcpy(values.data(), m.bytes.data() + sizeof(CellBox), values.size() * sizeof(double));
+    copy_bytes(values.data(), m.bytes.data() + sizeof(CellBox), values.size() * sizeof(double));
     put(box_of(m.bytes), values.data(), out);
   }
   return out;

@@ -1,5 +1,7 @@
 #include "scree/mpi/together.h"
 
+#include "scree/base/copy_bytes.h"
+
 namespace scree {
 
 std::string text_of_root(const std::string& mine, const Ranks& ranks) {
@@ -7,7 +9,7 @@ std::string text_of_root(const std::string& mine, const Ranks& ranks) {
   std::vector<Message> outgoing;
   for (int r = 1; ranks.root() && r < ranks.count(); ++r) {
     outgoing.push_back({r, Bytes(mine.size())});
-    std::memcpy(outgoing.back().bytes.data(), mine.data(), mine.size());
+    copy_bytes(outgoing.back().bytes.data(), mine.data(), mine.size());
   }
   const std::vector<Message> incoming = ranks.deliver(outgoing);
   if (ranks.root()) return mine;
@@ -39,7 +41,7 @@ void add_up_exactly(std::span<ExactSum> mine, const Ranks& ranks) {
     std::vector<Message> incoming;
     if (ranks.rank() & step) {
       Message message{ranks.rank() - step, Bytes(size)};
-      std::memcpy(message.bytes.data(), mine.data(), size);
+      copy_bytes(message.bytes.data(), mine.data(), size);
       return ranks.swap({message}, incoming);
     }
     if (ranks.rank() + step >= ranks.count()) continue;
@@ -47,7 +49,7 @@ void add_up_exactly(std::span<ExactSum> mine, const Ranks& ranks) {
     ranks.swap({}, incoming);
     for (std::size_t k = 0; k < mine.size(); ++k) {
       ExactSum theirs;
-      std::memcpy(static_cast<void*>(&theirs), incoming.front().bytes.data() + k * sizeof theirs, sizeof theirs);
+      copy_bytes(static_cast<void*>(&theirs), incoming.front().bytes.data() + k * sizeof theirs, sizeof theirs);
       mine[k].add(theirs);
     }
   }

@@ -1,10 +1,10 @@
 #include "scree/output/shared_file.h"
 
 #include <algorithm>
-#include <cstring>
 #include <optional>
 
 #include "scree/base/atomic_file.h"
+#include "scree/base/copy_bytes.h"
 #include "scree/base/error.h"
 #include "scree/mpi/together.h"
 #include "scree/output/slab.h"
@@ -23,8 +23,8 @@ void append_chunk(Bytes& to, std::uint64_t row, const std::vector<std::byte>& sq
   const std::uint64_t head[2] = {row, squeezed.size()};
   const std::size_t at = to.size();
   to.resize(at + sizeof head + squeezed.size());
-  std::memcpy(to.data() + at, head, sizeof head);
-  std::memcpy(to.data() + at + sizeof head, squeezed.data(), squeezed.size());
+  copy_bytes(to.data() + at, head, sizeof head);
+  copy_bytes(to.data() + at + sizeof head, squeezed.data(), squeezed.size());
 }
 
 /// This rank's chunks of a dataset.
@@ -52,7 +52,7 @@ Chunks chunks_in(const std::vector<Bytes>& all) {
   for (const Bytes& of_rank : all)
     for (std::size_t at = 0; at < of_rank.size();) {
       std::uint64_t head[2];
-      std::memcpy(head, of_rank.data() + at, sizeof head);
+      copy_bytes(head, of_rank.data() + at, sizeof head);
       out.emplace_back(head[0], std::span(of_rank).subspan(at + sizeof head, head[1]));
       at += sizeof head + head[1];
     }
@@ -124,7 +124,7 @@ class Writing {
   /// The root throws what the first rank in trouble says.
   void agree() const {
     Bytes said(trouble_.size());
-    std::memcpy(said.data(), trouble_.data(), trouble_.size());
+    copy_bytes(said.data(), trouble_.data(), trouble_.size());
     for (const Bytes& one : ranks_.gather(said))
       if (!one.empty()) throw ResourceError(std::string(reinterpret_cast<const char*>(one.data()), one.size()));
   }

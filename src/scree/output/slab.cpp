@@ -1,9 +1,10 @@
 #include "scree/output/slab.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <numeric>
+
+#include "scree/base/copy_bytes.h"
 
 namespace scree {
 namespace {
@@ -57,7 +58,7 @@ struct Rows {
 void append(Bytes& to, const void* from, std::size_t size) {
   const std::size_t at = to.size();
   to.resize(at + size);
-  if (size > 0) std::memcpy(to.data() + at, from, size);
+  copy_bytes(to.data() + at, from, size);
 }
 
 Bytes pack(std::span<const ArrayView> columns, std::span<const RowKey> keys, const std::vector<std::size_t>& rows) {
@@ -71,7 +72,7 @@ Bytes pack(std::span<const ArrayView> columns, std::span<const RowKey> keys, con
     std::size_t at = out.size();
     out.resize(at + width * count);
     for (const std::size_t row : rows) {
-      std::memcpy(out.data() + at, from + width * row, width);
+      copy_bytes(out.data() + at, from + width * row, width);
       at += width;
     }
   }
@@ -80,11 +81,11 @@ Bytes pack(std::span<const ArrayView> columns, std::span<const RowKey> keys, con
 
 void unpack(const Bytes& message, std::span<const ArrayView> columns, Rows& to) {
   std::size_t count = 0;
-  std::memcpy(&count, message.data(), sizeof count);
+  copy_bytes(&count, message.data(), sizeof count);
   const std::byte* from = message.data() + sizeof count;
   const std::size_t old = to.keys.size();
   to.keys.resize(old + count);
-  if (count > 0) std::memcpy(&to.keys[old], from, count * sizeof(RowKey));
+  copy_bytes(&to.keys[old], from, count * sizeof(RowKey));
   from += count * sizeof(RowKey);
   for (std::size_t k = 0; k < columns.size(); ++k) {
     append(to.columns[k], from, row_bytes(columns[k]) * count);
@@ -121,7 +122,7 @@ Slab sorted(std::span<const ArrayView> columns, std::span<const RowKey> keys) {
     const auto* from = static_cast<const std::byte*>(column.data);
     Bytes values(width * order.size());
     for (std::size_t k = 0; k < order.size(); ++k)
-      std::memcpy(values.data() + width * k, from + width * order[k], width);
+      copy_bytes(values.data() + width * k, from + width * order[k], width);
     kept->push_back(std::move(values));
     out.columns.push_back({column.element, order.size(), column.columns, kept->back().data()});
   }
@@ -181,8 +182,8 @@ Slab cut_into_chunks(const ArrayView& column, std::uint64_t first, std::uint64_t
     while (to < column.rows && owner(first + to) == rank)
       to = std::min(column.rows, ((first + to) / rows + 1) * rows - first);
     outgoing.push_back({static_cast<int>(rank), Bytes(width * (to - from))});
-    std::memcpy(outgoing.back().bytes.data(), static_cast<const std::byte*>(column.data) + width * from,
-                outgoing.back().bytes.size());
+    copy_bytes(outgoing.back().bytes.data(), static_cast<const std::byte*>(column.data) + width * from,
+               outgoing.back().bytes.size());
     from = to;
   }
   const auto values = std::make_shared<Bytes>();
