@@ -1,22 +1,11 @@
 """Particles in a fluid that is solved for: restarts, ranks, threads. usage: coupled_test.py PROGRAM MPIEXEC"""
 
-import json
-import os
-import pathlib
-import subprocess
-import sys
-import tempfile
 import unittest
 
 import h5py
 import numpy
 
-PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
-MPIEXEC = sys.argv.pop(1)
-ENVIRONMENT = os.environ | {
-    "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-    "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_WAIT_POLICY": "passive", "OMPI_MCA_hwloc_base_binding_policy": "none",
-    "ASAN_OPTIONS": "detect_leaks=0"}
+from ranks_common import Ranks
 
 # A small bed that is blown up, on cells of two kinds, with bodies of two shapes.
 BED = """
@@ -87,43 +76,31 @@ checkpoints = 0.0102
 """
 
 
-class Coupled(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.case = self.folder / "bed.toml"
-        self.case.write_text(BED)
-
-    def run_case(self, name, *options, ranks=1):
-        command = [PROGRAM, "run", str(self.case), "-o", str(self.folder / name), "--quiet", *options]
-        if ranks > 1:
-            command = [MPIEXEC, "-n", str(ranks), *command]
-        done = subprocess.run(command, capture_output=True, text=True, env=ENVIRONMENT, timeout=300)
-        self.assertIn(done.returncode, (0, 5), done.stderr)
-        return json.loads((self.folder / name / "summary.json").read_text())
+class Coupled(Ranks):
+    def run_case(self, name, *options, ranks=0, threads=1):
+        return self.run_on(ranks, BED, name, *options, threads=threads)
 
     def fraction(self, name, frame):
-        with h5py.File(self.folder / name / "fluid" / f"fluid_{frame:06}.h5") as file:
+        with h5py.File(self.work / name / "fluid" / f"fluid_{frame:06}.h5") as file:
             return file["fields/void_fraction"][:]
 
     def test_threads_restart_and_ranks(self):
-        whole = self.run_case("whole", "--threads", "1")
+        whole = self.run_case("whole")
         self.assertEqual(whole["status"], "finished")
         self.assertLess(whole["ledger"]["coupling_error"], 1e-12 * 9.81 * 3e-4 * 0.02)
-        threads = self.run_case("threads", "--threads", "2")
+        threads = self.run_case("threads", threads=2)
         self.assertEqual((threads["state_hash"], threads["fluid_hash"]), (whole["state_hash"], whole["fluid_hash"]))
 
         # In the middle of a step of the fluid.
-        self.run_case("pieces", "--until", "0.0102", "--threads", "2")
-        pieces = self.run_case("pieces", "--restart", "latest", "--threads", "1")
+        self.run_case("pieces", "--until", "0.0102", threads=2)
+        pieces = self.run_case("pieces", "--restart", "latest")
         self.assertEqual((pieces["state_hash"], pieces["fluid_hash"]), (whole["state_hash"], whole["fluid_hash"]))
-        self.assertEqual((self.folder / "pieces" / "series.csv").read_text().splitlines()[-1].split(",")[:20],
-                         (self.folder / "whole" / "series.csv").read_text().splitlines()[-1].split(",")[:20])
+        self.assertEqual((self.work / "pieces" / "series.csv").read_text().splitlines()[-1].split(",")[:20],
+                         (self.work / "whole" / "series.csv").read_text().splitlines()[-1].split(",")[:20])
 
         for ranks in (2, 3):
             name = f"on{ranks}"
-            shared = self.run_case(name, "--threads", "1", ranks=ranks)
+            shared = self.run_case(name, ranks=ranks)
             self.assertEqual(shared["status"], "finished")
             # The same void fraction to the last bit, as long as the particles are the same.
             numpy.testing.assert_array_equal(self.fraction(name, 0), self.fraction("whole", 0))

@@ -40,18 +40,13 @@ Diffusion make_diffusion(const Mesh& m, const Ranks& ranks, double width) {
           const int at[3] = {i, j, k};
           h.face[a][c] = m.open[a][c] * d.length2 * m.area(a, i, j, k) * m.axis[a].per_distance[Mesh::ghosts + at[a]];
         }
-  double least = 1;
   for (int k = 0; k < m.n[2]; ++k)
     for (int j = 0; j < m.n[1]; ++j)
       for (int i = 0; i < m.n[0]; ++i) {
         const std::int64_t c = m.index(i, j, k);
-        if (m.fluid[c] == 0) continue;
-        double sum = m.cell_volume(i, j, k);
-        for (int a = 0; a < 3; ++a) sum += h.face[a][c] + h.face[a][c + m.stride[a]];
-        h.per_diagonal[0][c] = 1 / sum;
-        least = std::min(least, m.cell_volume(i, j, k) / sum);
+        h.per_diagonal[0][c] = m.fluid[c] > 0 ? m.cell_volume(i, j, k) : 0;
       }
-  h.share = -ranks.largest(-least);
+  complete(h, m, ranks);
   d.spare = m.make_vector();
   d.rest = m.make_vector();
   return d;

@@ -61,6 +61,23 @@ int iterations_for(double share, double tolerance) {
 
 }  // namespace
 
+void complete(Helmholtz& h, const Mesh& m, const Ranks& ranks) {
+  double least = 1;
+  for (int component = 0; component < (h.shared ? 1 : 3); ++component)
+    for (int k = 0; k < m.n[2]; ++k)
+      for (int j = 0; j < m.n[1]; ++j)
+        for (int i = 0; i < m.n[0]; ++i) {
+          const std::int64_t c = m.index(i, j, k);
+          double& d = h.per_diagonal[component][c];
+          if (d == 0) continue;
+          double diagonal = d;
+          for (int a = 0; a < 3; ++a) diagonal += h.face[a][c] + h.face[a][c + m.stride[a]];
+          least = std::min(least, d / diagonal);
+          d = 1 / diagonal;
+        }
+  h.share = -ranks.largest(-least);
+}
+
 HelmholtzReport solve(const Mesh& mesh, const Ranks& ranks, const Helmholtz& equation, std::span<const Field> b,
                       double tolerance, std::array<std::span<Field>, 2> x_and_spare) {
   auto [x, spare] = x_and_spare;

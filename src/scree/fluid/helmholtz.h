@@ -15,6 +15,10 @@ struct Helmholtz {
   double share = 1;  // the least of (diagonal - sum of face) / diagonal, of all ranks: what keeps the solve short
 };
 
+/// Completes an equation of which the faces are set, and in `per_diagonal` what each row has on its diagonal besides
+/// them: mass, drag, walls; 0 where there is no fluid. To be called by all ranks.
+void complete(Helmholtz& equation, const Mesh& mesh, const Ranks& ranks);
+
 struct HelmholtzReport {
   int iterations = 0;
   double residual = 0;  // largest change of the last iteration over the largest of the first

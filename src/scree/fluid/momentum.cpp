@@ -48,33 +48,17 @@ void prepare_viscous(FluidSolver& s, const Bdf& bdf) {
   if (varies) find_face_friction(s);
   Helmholtz& h = w.viscous;
   h.shared = !m.slips;
-  const int components = h.shared ? 1 : 3;
-  for (int c = 0; c < components; ++c) {
-    Field& per = h.per_diagonal[c];
+  for (int c = 0; c < (h.shared ? 1 : 3); ++c) {
+    Field& own = h.per_diagonal[c];
     for (int k = 0; k < m.n[2]; ++k)
       for (int j = 0; j < m.n[1]; ++j)
         for (int i = 0; i < m.n[0]; ++i) {
           const std::int64_t at = m.index(i, j, k);
-          double sum = inertia(s, bdf, at, m.cell_volume(i, j, k));
-          for (int a = 0; a < 3; ++a) sum += h.face[a][at] + h.face[a][at + m.stride[a]];
-          per[at] = m.fluid[at] > 0 ? sum : 0;
+          own[at] = m.fluid[at] > 0 ? inertia(s, bdf, at, m.cell_volume(i, j, k)) : 0;
         }
-    for (const BoundaryFace& f : s.boundary) per[f.cell] += wall_friction(s, f, c).own;
+    for (const BoundaryFace& f : s.boundary) own[f.cell] += wall_friction(s, f, c).own;
   }
-  double least = 1;
-  for (int c = 0; c < components; ++c)
-    for (int k = 0; k < m.n[2]; ++k)
-      for (int j = 0; j < m.n[1]; ++j)
-        for (int i = 0; i < m.n[0]; ++i) {
-          const std::int64_t at = m.index(i, j, k);
-          double& d = h.per_diagonal[c][at];
-          if (d == 0) continue;
-          double pulls = 0;
-          for (int a = 0; a < 3; ++a) pulls += h.face[a][at] + h.face[a][at + m.stride[a]];
-          least = std::min(least, (d - pulls) / d);
-          d = 1 / d;
-        }
-  h.share = -s.ranks.largest(-least);
+  complete(h, m, s.ranks);
 }
 
 void find_drag_shift(FluidSolver& s, VectorField& shift) {

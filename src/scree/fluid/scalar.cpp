@@ -92,29 +92,17 @@ void find_faces(FluidSolver& s, std::size_t n) {
 void find_diagonal(FluidSolver& s, std::size_t n, const Bdf& bdf) {
   const Mesh& m = s.mesh;
   ScalarWork& w = s.work.scalars[n];
-  Helmholtz& h = w.equation;
-  Field& diagonal = h.per_diagonal[0];
+  Field& own = w.equation.per_diagonal[0];
   const double inertia = s.settings.scalars[n].capacity * bdf.a0 / bdf.dt;
-  const auto pulls = [&](std::int64_t c) {
-    double sum = 0;
-    for (int a = 0; a < 3; ++a) sum += h.face[a][c] + h.face[a][c + m.stride[a]];
-    return sum;
-  };
-  const auto for_all = [&](auto&& visit) {
-    for (int k = 0; k < m.n[2]; ++k)
-      for (int j = 0; j < m.n[1]; ++j)
-        for (int i = 0; i < m.n[0]; ++i)
-          if (const std::int64_t c = m.index(i, j, k); m.fluid[c] > 0) visit(c, m.cell_volume(i, j, k));
-  };
-  for_all([&](std::int64_t c, double volume) { diagonal[c] = volume * inertia * s.state.fraction[c] + pulls(c); });
+  for (int k = 0; k < m.n[2]; ++k)
+    for (int j = 0; j < m.n[1]; ++j)
+      for (int i = 0; i < m.n[0]; ++i) {
+        const std::int64_t c = m.index(i, j, k);
+        own[c] = m.fluid[c] > 0 ? m.cell_volume(i, j, k) * inertia * s.state.fraction[c] : 0;
+      }
   for (std::size_t i = 0; i < s.boundary.size(); ++i)
-    diagonal[s.boundary[i].cell] += conduction(s, s.boundary[i], w.boundary[i]).own;
-  double least = 1;
-  for_all([&](std::int64_t c, double) {
-    least = std::min(least, (diagonal[c] - pulls(c)) / diagonal[c]);
-    diagonal[c] = 1 / diagonal[c];
-  });
-  h.share = -s.ranks.largest(-least);
+    own[s.boundary[i].cell] += conduction(s, s.boundary[i], w.boundary[i]).own;
+  complete(w.equation, m, s.ranks);
 }
 
 void find_rhs(FluidSolver& s, std::size_t n, const Bdf& bdf) {

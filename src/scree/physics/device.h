@@ -21,6 +21,7 @@ typedef unsigned long sc_bits;
 #define SC_REAL_OF(i) as_double(i)
 #endif
 #define SC_FN static inline
+#define SC_LONG_FN static
 #define SC_GLOBAL __global
 #define SC_SQRT(x) sqrt(x)
 #define SC_FABS(x) fabs(x)
@@ -44,6 +45,8 @@ typedef unsigned long long sc_bits;
 #define SC_BITS_OF(x) __builtin_bit_cast(sc_bits, (x))
 #define SC_REAL_OF(i) __builtin_bit_cast(real, (i))
 #define SC_FN [[maybe_unused, gnu::always_inline]] static inline
+// Seldom run, and too long to be written out wherever it is called: compilers would take minutes.
+#define SC_LONG_FN [[maybe_unused, gnu::noinline]] static inline
 #define SC_GLOBAL
 // A function, not a macro: libraries use the name R for their own things.
 template <class T>

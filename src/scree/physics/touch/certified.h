@@ -71,7 +71,7 @@ SC_FN sc_growth_touch sc_growth_by_cuts(sc_growth_pair p, sc_portal portal, real
 }
 
 /// The portal with Newton's method from its points.
-SC_FN sc_growth_touch sc_growth_by_portal(sc_growth_pair p, real low, real high) {
+SC_LONG_FN sc_growth_touch sc_growth_by_portal(sc_growth_pair p, real low, real high) {
   sc_portal portal = sc_portal_start(p);
   real width = R(1e-2), part = R(1e-2);
   for (int i = 0; i < SC_GROWTH_REFINEMENTS; ++i) {
