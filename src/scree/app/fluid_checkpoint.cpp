@@ -23,7 +23,8 @@ void for_each_field(State& s, Visit&& visit) {
     visit(fmt::format("fluid_flux_old_{}", axes[a]), a, s.flux_old[a]);
   }
   visit("fluid_pressure", 3, s.pressure);
-  visit("fluid_correction", 3, s.correction);
+  for (std::size_t n = 0; n < s.corrections.size(); ++n)
+    visit(fmt::format("fluid_correction{}", n), 3, s.corrections[n]);
   visit("fluid_fraction", 3, s.fraction);
   visit("fluid_fraction_old", 3, s.fraction_old);
   for (std::size_t n = 0; n < s.scalars.size(); ++n) {

@@ -73,7 +73,7 @@ void enter_friction_and_pressure(FluidSolver& s) {
 void enter_correction(FluidSolver& s, const Bdf& bdf) {
   const Mesh& m = s.mesh;
   const double per_pace = bdf.a0 * s.settings.density / bdf.dt;
-  const Field& x = s.state.correction;
+  const Field& x = s.work.correction;
   if (!acted_upon(s)) {
     for (const BoundaryFace& f : s.boundary)
       s.work.force[f.axis] -= f.side * f.area * x[f.cell] * per_pace * (1 - yielding(s, bdf, f));

@@ -126,8 +126,10 @@ struct FluidState {
   double pace = 0;     // the automatic time step before it was fitted to what is due; 0 before the first [s]
   VectorField velocity, velocity_old;  // [m/s]
   VectorField flux, flux_old;
-  Field pressure;                       // [Pa]
-  Field correction;                     // of the pressure in the last step, times dt / (a0 density)
+  Field pressure;  // [Pa]
+  static constexpr int earlier_corrections = 3;
+  std::array<Field, earlier_corrections>
+      corrections;                      // of the pressure in the last steps, newest first, times dt / (a0 density)
   Field fraction, fraction_old;         // of the volume that is fluid
   std::vector<ScalarState> scalars;     // as in the settings
   Field eddies_found, eddies_modelled;  // dynamic, along the paths of the fluid: the means of L:M and M:M [m4/s4]

@@ -23,7 +23,7 @@ void find_gradient(FluidSolver& s, const Bdf& bdf) {
   const Mesh& m = s.mesh;
   const FluidWork& w = s.work;
   const double per_pace = bdf.a0 * s.settings.density / bdf.dt;
-  const Field& x = s.state.correction;
+  const Field& x = s.work.correction;
   for (int a = 0; a < 3; ++a)
     for_each_row(m, [&](int j, int k) {
       const int place[3] = {0, j, k};

@@ -15,6 +15,7 @@
 #include "scree/fluid/boundary.h"
 #include "scree/fluid/halo.h"
 #include "scree/fluid/momentum.h"
+#include "scree/fluid/pressure_guess.h"
 
 namespace scree {
 namespace {
@@ -168,7 +169,7 @@ double sum_of(const Mesh& m, const Field& field) {
 /// Fluxes, velocity and pressure corrected by x, the correction of the pressure times dt / (a0 rho).
 void correct(FluidSolver& s, double pace) {
   const Mesh& m = s.mesh;
-  const double* x = s.state.correction.data();
+  const double* x = s.work.correction.data();
   for (int a = 0; a < 3; ++a)
     for_each_face_row(m, a, [&](int j, int k) {
       const std::int64_t at = m.index(0, j, k), st = m.stride[a];
@@ -254,16 +255,9 @@ double worst_divergence(const FluidSolver& s, double dt) {
 
 /// What the equations of the pressure miss; asked of them, not of whoever solved them.
 double worst_residual(const FluidSolver& s, const Field& b, double dt) {
-  const Field& x = s.state.correction;
-  return worst_cell(s.mesh, dt, [&](std::int64_t c) {
-    double r = b[c] - s.work.outlet_conductance[c] * x[c];
-    for (int a = 0; a < 3; ++a) {
-      const std::int64_t st = s.mesh.stride[a];
-      const Field& face = s.work.conductance[a];
-      r -= face[c] * (x[c] - x[c - st]) - face[c + st] * (x[c + st] - x[c]);
-    }
-    return r;
-  });
+  const PressureRows equations(s);
+  const double* x = s.work.correction.data();
+  return worst_cell(s.mesh, dt, [&](std::int64_t c) { return b[c] - equations(x, c); });
 }
 
 [[noreturn]] void refuse(const FluidSolver& s, double dt, double missed, const StepReport& report) {
@@ -399,12 +393,11 @@ void project(FluidSolver& s, const Bdf& bdf, bool again, StepReport& report) {
     for (int i = 0; i < m.n[0]; ++i) b[at + i] = -s.work.divergence[at + i];
   });
   if (!m.outlets) remove_mean(s, b, sum_of(m, b));
-  Field& x = s.state.correction;
-  const double guess = again ? 0 : bdf.ratio * bdf.ratio;
-  for_each_row(m, [&](int j, int k) {
-    const std::int64_t at = m.index(0, j, k);
-    for (int i = 0; i < m.n[0]; ++i) x[at + i] *= guess;
-  });
+  Field& x = s.work.correction;
+  if (again)
+    std::ranges::fill(x, 0.0);
+  else
+    guess_pressure(s, b, x);
   double tolerance = residual_share * s.settings.divergence_tolerance * m.volume / std::sqrt(double(m.cells)) / bdf.dt;
   for (int attempt = 0;; ++attempt) {
     const PressureSolution found = s.pressure->solve(b, x, tolerance);
@@ -416,6 +409,7 @@ void project(FluidSolver& s, const Bdf& bdf, bool again, StepReport& report) {
     if (attempt == most_tries || !found.converged || !(missed < 1e300)) refuse(s, bdf.dt, missed, report);
     tolerance *= 0.3 * std::max(0.01, s.settings.divergence_tolerance / missed);
   }
+  if (!again) remember_pressure(s, x);
   correct(s, pace);
   if (!s.load.drag.empty()) correct_drag(s, pace);
   find_divergence(s, bdf);

@@ -55,6 +55,7 @@ struct FluidWork {
   VectorField spare;        // of the viscous solve; then e times the velocity without the force of the faces
   Field divergence;         // what the pressure has to remove [m3/s]
   Field wanted;             // what the corrections of the pressure bring in: the right-hand side of its equations
+  Field correction;         // of the pressure in the last pass, times dt / (a0 density)
   VectorField conductance;  // their coefficients
   Field outlet_conductance;
   Field whole;             // 1 everywhere; with model B only

@@ -160,8 +160,9 @@ FluidSolver::FluidSolver(const FluidRegion& r, FluidSettings k, const Ranks& pro
         &work.mean_force, &work.memory, &work.rhs, &work.spare, &work.viscous.face, &work.conductance})
     *v = mesh.make_vector();
   for (Field* f :
-       {&state.pressure, &state.correction, &work.divergence, &work.rate, &work.wanted, &work.outlet_conductance})
+       {&state.pressure, &work.correction, &work.divergence, &work.rate, &work.wanted, &work.outlet_conductance})
     *f = mesh.make_field();
+  for (Field& f : state.corrections) f = mesh.make_field();
   for (Field* f : {&state.fraction, &state.fraction_old, &work.fraction_older}) {
     *f = mesh.make_field();
     std::fill(f->begin(), f->end(), 1.0);
