@@ -55,6 +55,7 @@ viscosity = 0.01
 cells = [{n}, {n}, {n}]
 time_step = {dt}
 divergence_tolerance = 3e-9
+viscous_tolerance = 1e-6
 [[fluid.patches]]
 name = "lid"
 face = "y_max"

@@ -2,12 +2,14 @@
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
 
 PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PAUSED = 5
 
 CASE = """
@@ -67,6 +69,22 @@ class CommandLine(unittest.TestCase):
         self.assertIn("scree run: error[E190]", self.refused("run", "case.toml", "--until"))
         self.assertIn("scree run: error[E190]", self.refused("run"))
         self.assertIn("scree: error[E190]", self.refused())
+
+    def test_what_the_documents_call_exists(self):
+        texts = [p for pattern in ("*.md", "docs/**/*.md", "bench/*.md", "examples/*/README.md", "examples/*/case.toml",
+                                   "verify/**/case.toml") for p in SOURCE.glob(pattern)]
+        self.assertGreater(len(texts), 50)
+        called = {}
+        for text in texts:
+            for command, words in re.findall(r"\bscree (run|check|verify|bench|plot|info|explain|new)\b([^`\n#]*)", text.read_text()):
+                for option in re.findall(r"\s(--[a-z][a-z-]*)", words):
+                    called.setdefault((command, option), text.relative_to(SOURCE))
+        self.assertGreater(len(called), 10)
+        for (command, option), text in sorted(called.items()):
+            self.assertRegex(self.scree(command, "--help").stdout, rf"{option}\b", f"{text}: scree {command} {option}")
+
+    def test_the_long_cases_of_the_verification_book_are_there(self):
+        self.assertIn("there are: 01_cavity, ", self.refused("verify", "--long", "nothing"))
 
     def test_help_and_version_are_no_errors(self):
         for words in (["--help"], ["run", "--help"], ["--version"]):

@@ -130,9 +130,11 @@ Command declare_verify(CLI::App& app) {
   c->add_option("names", options->names, "cases, by name or number [all]");
   c->add_option("-o,--output", options->directory, "directory of the results")->capture_default_str();
   c->add_flag("--plot", options->plot, "draw each case over its reference");
+  auto many_hours = std::make_shared<bool>(false);
+  c->add_flag("--long", *many_hours, "the cases that take minutes to hours each instead");
   add_option(*c, "--threads", "threads", options->threads, read_count);
   return {"verify", [=] {
-            options->cases = data_directory("verify").string();
+            options->cases = (data_directory("verify") / (*many_hours ? "long" : "")).string();
             return verify(*options);
           }};
 }
