@@ -31,9 +31,7 @@ def main():
         pictures.append(plot_series.draw(directory / "series.csv", directory / "series.png"))
     frames = sorted((directory / "frames").glob("frame_*.h5"))
     if frames:
-        pictures.append(plot_particles.draw(frames[-1], directory / "particles.png"))
-        if plot_particles.has_groups(frames[-1]):
-            pictures.append(plot_particles.draw(frames[-1], directory / "groups.png", by_group=True))
+        pictures += plot_particles.draw(frames[-1], directory)
     fluid = sorted((directory / "fluid").glob("fluid_*.h5"))
     if fluid:
         pictures.append(plot_fluid.draw(fluid[-1], directory / "fluid.png"))

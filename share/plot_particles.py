@@ -104,12 +104,6 @@ def describe(frame, low, high):
     return text, " \u00d7 ".join(f"{x * factor:.3g}" for x in high - low) + f" {unit}"
 
 
-def has_groups(frame_path):
-    """Whether the particles of a frame belong to several groups."""
-    with h5py.File(frame_path, "r") as file:
-        return "group" in file["particles"] and len(np.unique(file["particles/group"][:])) > 1
-
-
 def shapes_of(frame, run):
     """The bodies of a frame in which some are no spheres and all is there that says how they look, else None. `run`: directory of
     the run, which holds the surfaces of shapes that are no superellipsoids."""
@@ -122,54 +116,73 @@ def shapes_of(frame, run):
     return shapes.Shapes(*(frame[name].astype(float) for name in names), number, surfaces)
 
 
-def draw(frame_path, picture_path, pixels=2400, by_group=False):
-    """Writes the picture; returns its path, or None where the frame has no particles or lacks a field that the picture
-    needs. `pixels` are halved for it."""
+def draw(frame_path, directory, pixels=2400):
+    """Writes particles.png, and groups.png where there are several groups; returns their paths, none where the frame has no
+    particles or lacks a field that the pictures need. `pixels` are halved for them."""
     frame = read_frame(frame_path)
     if len(frame["position"]) == 0:
-        return None
+        return []
     with_agglomerates = "agglomerate" in frame and "agglomerate_size" in frame
     missing = [name for name in ["diameter"] + (not with_agglomerates) * ["velocity"] if name not in frame]
     if missing:
         print(f"plot.py: '{frame_path}' does not hold {' and '.join(missing)} (output.fields): no picture of the particles",
               file=sys.stderr)
-        return None
-    by_measure = colour_by_agglomerate if with_agglomerates else colour_by_speed
-    colours, scale, label = (colour_by_group if by_group else by_measure)(frame)
+        return []
+    names = {"particles.png": colour_by_agglomerate if with_agglomerates else colour_by_speed}
+    if len(np.unique(frame.get("group", [0]))) > 1:
+        names["groups.png"] = colour_by_group
+    colourings = [colour(frame) for colour in names.values()]
     surface = walls.read_walls(pathlib.Path(frame_path))
     low, high, is_domain = frame_box(frame, surface)
     camera = spheres.Camera(low, high, *view_angles(low, high), pixels)
     bodies = shapes_of(frame, pathlib.Path(frame_path).parent.parent)
     radius = 0.5 * frame["diameter"] if bodies is None else bodies.radius
-    image, depth = spheres.shade(
-        camera, frame["position"], radius, colours, floor=(low, high) if is_domain else None, shapes=bodies
+    images, depth = spheres.shade(
+        camera, frame["position"], radius, [c[0] for c in colourings], floor=(low, high) if is_domain else None, shapes=bodies
     )
+    paths = [directory / name for name in names]
+    for path, image, (_, scale, label) in zip(paths, images, colourings):
+        figure = make_figure(image, depth, camera, surface, (low, high) if is_domain else None, describe(frame, low, high))
+        if scale is not None:
+            add_scale(figure, image, scale, label, with_agglomerates and np.any(frame["agglomerate"] < 0))
+        figure.savefig(path)
+        plt.close(figure)
+    return paths
 
+
+def size_of(image):
+    """Inches of the image, and of the figure with room beside it."""
     inches = np.array(image.shape[1::-1]) / DPI
-    width, height = max(inches[0] + 1.25, 5.0), inches[1] + 0.5
+    return inches, max(inches[0] + 1.25, 5.0), inches[1] + 0.5
+
+
+def make_figure(image, depth, camera, surface, domain, texts):
+    inches, width, height = size_of(image)
     figure = plt.figure(figsize=(width, height), dpi=DPI)
     axes = figure.add_axes([0, 0, inches[0] / width, inches[1] / height])
     axes.imshow(image, extent=(0, image.shape[1], 0, image.shape[0]), zorder=2)
     if surface is not None:
         walls.draw_walls(axes, camera, depth, surface)
-    elif is_domain:
-        draw_edges(axes, camera, low, high, front=False)
-        draw_edges(axes, camera, low, high, front=True)
+    elif domain is not None:
+        draw_edges(axes, camera, *domain, front=False)
+        draw_edges(axes, camera, *domain, front=True)
     axes.set(xlim=(0, image.shape[1]), ylim=(0, image.shape[0]))
     axes.axis("off")
-    title, size = describe(frame, low, high)
+    title, size = texts
     figure.text(0.3 / width, 1 - 0.3 / height, title, fontsize=13, color=INK, va="center")
     figure.text(0.3 / width, 0.2 / height, size, fontsize=9.5, color=INK, alpha=0.75)
-    if scale is not None:
-        bar_axes = figure.add_axes([(inches[0] + 0.3) / width, 0.25, 0.16 / width, 0.5])
-        bar = figure.colorbar(scale, cax=bar_axes)
-        bar.outline.set_visible(False)
-        bar.set_label(label, color=INK)
-        bar_axes.tick_params(colors=INK, which="both", length=3)
-    if with_agglomerates and not by_group and np.any(frame["agglomerate"] < 0):
+    return figure
+
+
+def add_scale(figure, image, scale, label, with_singles):
+    """The bar of colours, and what the colour of single particles is."""
+    inches, width, height = size_of(image)
+    bar_axes = figure.add_axes([(inches[0] + 0.3) / width, 0.25, 0.16 / width, 0.5])
+    bar = figure.colorbar(scale, cax=bar_axes)
+    bar.outline.set_visible(False)
+    bar.set_label(label, color=INK)
+    bar_axes.tick_params(colors=INK, which="both", length=3)
+    if with_singles:
         patch = Patch(facecolor=SINGLE * 0.92, label="single")
         place = ((inches[0] + 0.2) / width, 0.18)
         figure.legend(handles=[patch], loc=place, frameon=False, labelcolor=INK, handlelength=1, handleheight=1)
-    figure.savefig(picture_path)
-    plt.close(figure)
-    return picture_path

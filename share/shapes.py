@@ -87,8 +87,8 @@ class Shapes:
 
     def scaled_axes(self, which, view):
         """The axes of the view in the frame of each body, over its half axes and times its radius: [bodies, 3, 3]."""
-        own = np.einsum("vk,nkb->nvb", view, self.turn[which])
-        return own * (self.radius[which, None] / self.half_axes[which])[:, None, :]
+        own = (view @ self.turn) * (self.radius[:, None] / self.half_axes)[:, None, :]
+        return own[which]
 
     def heights(self, which, x, y, view):
         """How far towards the viewer the lines of sight at x and y (over the radius, to the right and up from the centre)

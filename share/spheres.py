@@ -139,7 +139,8 @@ class ShadowMap:
 
 
 def shade(camera, points, radius, colours, floor=None, shapes=None):
-    """A picture of the spheres as RGBA in [0, 1] and the depth of what is seen, infinite where nothing is; row 0 at the top.
+    """Pictures of the spheres as RGBA in [0, 1], one for each of `colours`, and the depth of what is seen, infinite where
+    nothing is; row 0 at the top.
 
     `shapes`: the bodies in the spheres, or None where they are the spheres themselves (shapes.py).
 
@@ -181,24 +182,28 @@ def shade(camera, points, radius, colours, floor=None, shapes=None):
     brightness = (0.20 + 0.22 * sky) * (1 - 0.9 * missing) + 0.72 * direct * (0.08 + 0.92 * lit) * (1 - 0.4 * missing)
     brightness *= 0.72 + 0.28 * np.clip(normal[:, 2], 0, 1) ** 0.5  # darker rims keep neighbours apart
     gloss = 0.16 * np.clip(normal @ middle.astype(np.float32), 0, 1) ** 40 * lit
-    # Light adds up in linear intensities; the colours of screens are a power of them.
-    colour = (colours[seen] ** 2.2 * brightness[:, None] + gloss[:, None]) ** (1 / 2.2)
-    if np.ptp(depth) > 0:  # haze: what is far fades
-        haze = 0.42 * ((buffer[rows, columns] - depth.min()) / np.ptp(depth)).clip(0, 1) ** 1.2
-        colour = colour * (1 - haze[:, None]) + haze[:, None]
+    haze = 0
+    if np.ptp(depth) > 0:  # what is far fades
+        haze = 0.42 * ((buffer[rows, columns] - depth.min()) / np.ptp(depth)).clip(0, 1)[:, None] ** 1.2
 
-    picture = np.zeros((camera.height, camera.width, 4), dtype=np.float32)
-    picture[rows, columns, :3] = np.clip(colour, 0, 1)
-    picture[rows, columns, 3] = 1
+    ground = np.zeros((camera.height, camera.width, 4), dtype=np.float32)
     if floor is not None:
-        draw_floor(picture, camera, map_of_light, floor, typical)
-    return halved(picture)[::-1], buffer[1::2, 1::2][::-1]
+        draw_floor(ground, ~covered, camera, map_of_light, floor, typical)
+    pictures = []
+    for own in colours:
+        # Light adds up in linear intensities; the colours of screens are a power of them.
+        colour = (own[seen] ** 2.2 * brightness[:, None] + gloss[:, None]) ** (1 / 2.2)
+        picture = ground.copy()
+        picture[rows, columns, :3] = np.clip(colour * (1 - haze) + haze, 0, 1)
+        picture[rows, columns, 3] = 1
+        pictures.append(halved(picture)[::-1])
+    return pictures, buffer[1::2, 1::2][::-1]
 
 
-def draw_floor(picture, camera, map_of_light, floor, typical):
-    """The bottom of the box with the shadows on it, where the picture is empty so far."""
+def draw_floor(picture, free, camera, map_of_light, floor, typical):
+    """The bottom of the box with the shadows on it, in the free pixels."""
     low, high = floor
-    row, column = np.nonzero(picture[:, :, 3] == 0)
+    row, column = np.nonzero(free)
     x, y = column + 0.5, row + 0.5
     # Along a line of sight the height is linear in the depth.
     height = camera.positions(x, y, np.zeros(len(x)))[:, 2]

@@ -67,7 +67,7 @@ class Pictures(unittest.TestCase):
     def drawn(self, *particles):
         frame = self.directory / "frame.h5"
         write_frame(frame, *particles)
-        return matplotlib.image.imread(plot_particles.draw(frame, self.directory / "one.png", pixels=500))[..., :3]
+        return matplotlib.image.imread(plot_particles.draw(frame, self.directory, pixels=500)[0])[..., :3]
 
     def test_agglomerates_are_drawn_in_colour(self):
         position = np.random.default_rng(1).random((300, 3))
@@ -101,6 +101,17 @@ class Pictures(unittest.TestCase):
         few, all_of_them = titles.values()
         self.assertEqual(all_of_them, few + ["draw_passage", "draw_planes", "draw_forces", "draw_torques"])
 
+    def test_groups_have_a_picture_of_their_own(self):
+        frame = self.directory / "frame.h5"
+        write_frame(frame, [[0.3, 0.5, 0.5], [0.7, 0.5, 0.5]], [0.4, 0.4], [[0, 0, 0], [0, 0, 0]])
+        with h5py.File(frame, "a") as file:
+            file["particles/group"] = np.array([0, 1])
+        paths = plot_particles.draw(frame, self.directory, pixels=500)
+        self.assertEqual(paths, [self.directory / "particles.png", self.directory / "groups.png"])
+        by_speed, by_group = (matplotlib.image.imread(p)[..., :3] for p in paths)
+        red = lambda picture: np.mean(picture[..., 0] > picture[..., 2] + 0.2)
+        self.assertGreater(red(by_group), red(by_speed) + 0.005)
+
     def test_speed_is_the_colour(self):
         position = np.array([[0.3, 0.5, 0.5], [0.7, 0.5, 0.5]])
         slow = self.drawn(position, [0.4, 0.4], 0 * position)
@@ -128,8 +139,7 @@ class Pictures(unittest.TestCase):
         self.assertEqual(set(points[:, 2]), {0.9})
         lines = walls.outline(points, triangles, wall, np.array([0.0, 0, 5]))
         self.assertEqual(len(lines), 4)  # not the diagonal
-        self.assertIsNotNone(plot_particles.draw(frame, self.directory / "one.png", pixels=500))
-        self.assertFalse(plot_particles.has_groups(frame))
+        self.assertEqual(plot_particles.draw(frame, self.directory, pixels=500), [self.directory / "particles.png"])
 
     def test_a_directory_that_is_no_run_is_refused(self):
         result = plot(self.directory)
@@ -139,7 +149,7 @@ class Pictures(unittest.TestCase):
     def test_nothing_is_drawn_of_nothing(self):
         frame, table = self.directory / "frame.h5", self.directory / "series.csv"
         write_frame(frame, np.zeros((0, 3)), np.zeros(0), np.zeros((0, 3)))
-        self.assertIsNone(plot_particles.draw(frame, self.directory / "none.png"))
+        self.assertEqual(plot_particles.draw(frame, self.directory), [])
         table.write_text("time,contacts,max_overlap\n")
         self.assertIsNone(plot_series.draw(table, self.directory / "none.png"))
         self.assertFalse((self.directory / "none.png").exists())
