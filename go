@@ -117,6 +117,7 @@ tests() {
     test_build audit -LE long
     test_build tsan -L quick
     test_build debug -L quick
+    test_build no_mpi -L quick
   else
     test_build release -LE long
     test_build asan -L quick

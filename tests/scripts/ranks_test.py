@@ -172,10 +172,12 @@ class OnSeveralRanks(Ranks):
         self.assertEqual(shared.stderr.count(told), 1, shared.stderr)
         self.same_files("alone", "shared")
 
-    def test_what_is_not_there_yet_is_refused_by_name(self):
-        result = self.scree(2, HARD_SHAPES + "[hard]\norder = \"sequential\"\n", "sequential")
-        self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertEqual(result.stderr.count("E191"), 1, result.stderr)
+    def test_collisions_one_after_the_other_have_the_same_bits_and_files_on_any_number(self):
+        one_by_one = '[hard]\norder = "sequential"\n'
+        for case in (HARD_SPHERES.replace("[hard]\n", one_by_one), HARD_SHAPES + one_by_one):
+            self.same_on_all(case, (2, 3), most_messages=1000)
+            shutil.rmtree(self.work)
+            self.work.mkdir()
 
 
 class FluidOnSeveralRanks(Ranks):

@@ -20,7 +20,6 @@
 #include "scree/base/memory.h"
 #include "scree/base/version.h"
 #include "scree/input/checks.h"
-#include "scree/input/located.h"
 #include "scree/input/write.h"
 
 namespace scree {
@@ -153,21 +152,6 @@ void run_to_stop(RunLoop& run, const RunOptions& options, const InterruptGuard& 
   }
 }
 
-/// What is not there yet on several ranks.
-void refuse_on_ranks(const Case& c, const Ranks& ranks) {
-  if (ranks.alone()) return;
-  const auto refuse = [&](const char* key, const char* what) {
-    throw error_at(c, key,
-                   {"E191",
-                    {},
-                    fmt::format("{} are not there yet on several ranks", what),
-                    "",
-                    "run the case without mpirun: one process uses all processors of its machine"});
-  };
-  if (is_hard(c) && c.hard.order == "sequential")
-    refuse("hard.order", "collisions one after the other through the whole crowd");
-}
-
 /// The device of the run; none on the CPU.
 std::optional<opencl::DeviceInfo> device_of(const Case& c, const RunOptions& options) {
   if (options.device == "cpu") return {};
@@ -223,7 +207,6 @@ RunResult run_case(const Case& c, const RunOptions& options) {
   const double end = options.until.value_or(c.simulation.end);
   const int threads = threads_of(options);
   omp_set_num_threads(threads);
-  refuse_on_ranks(c, options.ranks);
   const auto device = device_of(c, options);
   const Beginning beginning = find_beginning(c, options, end);
   announce(options, beginning, threads);

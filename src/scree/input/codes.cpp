@@ -83,9 +83,6 @@ constexpr ErrorCode codes[] = {
     {"E190", "unusable command line",
      "A command or an option that Scree does not have, or one without its value. `scree --help` lists the commands, "
      "`scree run --help` the options of one."},
-    {"E191", "not there yet on several ranks",
-     "The case needs something that runs on one process so far. Run it without mpirun: one process uses all processors "
-     "of its machine."},
     {"E192", "no flow solver in this program",
      "The program was built without MPI or without hypre, which solve for the pressure of a fluid. Install "
      "libhypre-dev "

@@ -33,13 +33,14 @@ std::vector<T> picked(const std::vector<T>& table, std::size_t rows, const std::
 
 KeyedContacts in_order(const KeyedContacts& contacts) { return rows_of(contacts, order_of(contacts.ids)); }
 
-/// The memory of contact c of a list that holds pairs or walls.
+/// The memory of contact c of a list that holds pairs or walls. Adding 0 makes -0 to 0: the sign of nothing would tell
+/// which of the partners owned the pair.
 template <class Contacts>
 void append_memory(std::vector<double>& to, const Contacts& contacts, std::size_t c, double sign) {
   const auto &slide = contacts.slide, &roll = contacts.roll;
-  for (int k = 0; k < 3; ++k) to.push_back(sign * slide[4 * c + k]);
+  for (int k = 0; k < 3; ++k) to.push_back(sign * slide[4 * c + k] + 0.0);
   to.push_back(slide[4 * c + 3]);
-  for (int k = 0; k < 3; ++k) to.push_back(roll.empty() ? 0.0 : sign * roll[4 * c + k]);
+  for (int k = 0; k < 3; ++k) to.push_back(roll.empty() ? 0.0 : sign * roll[4 * c + k] + 0.0);
   to.push_back(roll.empty() ? 0.0 : roll[4 * c + 3]);
   to.push_back(contacts.active[c] == contact_code(true, true) ? 1.0 : 0.0);
 }

@@ -57,13 +57,13 @@ SweepsEnd collide(HardContacts& h, const HardSettings& settings, double gravity_
       if (collides(p, points[0])) most = std::max(most, strike(h, c, p, threshold, !settings.sequential));
     return most;
   };
-  if (settings.sequential) {
-    for (HardContact& c : h.all) visit(c);
-    return {1, 0};
-  }
   const auto sweep_all = [&] {
     return h.ranks.largest(sweep_places(h, [&](std::size_t k) { return visit(h.all[h.order[k]]); }));
   };
+  if (settings.sequential) {
+    sweep_all();
+    return {1, 0};
+  }
   double left = 0;
   for (int sweep = 1; sweep <= settings.sweeps; ++sweep) {
     left = sweep_all();

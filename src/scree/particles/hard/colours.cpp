@@ -25,11 +25,12 @@ std::uint64_t priority_of(const HardContact& c) {
 }
 
 /// All contacts in the order in which they choose. Places follow keys, so they decide between equal hashes.
-std::vector<std::uint32_t> order_of_choice(const HardContacts& h) {
-  std::vector<std::uint64_t> priority(h.all.size());
-  for (std::size_t c = 0; c < priority.size(); ++c) priority[c] = priority_of(h.all[c]);
+std::vector<std::uint32_t> order_of_choice(const HardContacts& h, Visits visits) {
   std::vector<std::uint32_t> turn(h.all.size());
   std::iota(turn.begin(), turn.end(), 0u);
+  if (visits == Visits::by_key) return turn;
+  std::vector<std::uint64_t> priority(h.all.size());
+  for (std::size_t c = 0; c < priority.size(); ++c) priority[c] = priority_of(h.all[c]);
   std::sort(turn.begin(), turn.end(),
             [&](std::uint32_t x, std::uint32_t y) { return std::tuple(priority[x], x) > std::tuple(priority[y], y); });
   return turn;
@@ -64,21 +65,30 @@ class Taken {
   std::unordered_map<std::int32_t, std::vector<std::uint64_t>> more_;
 };
 
-/// The lowest colour that is not in the words which used(k) gives.
+/// The colour of a contact whose bodies have those in the `words` words that used(k) gives: the lowest free one, or the
+/// one after all of them.
 template <class Used>
-std::uint32_t lowest_free(Used&& used) {
-  for (std::size_t w = 0;; ++w)
+std::uint32_t choose(Visits visits, std::size_t words, Used&& used) {
+  if (visits == Visits::by_key) {
+    while (words > 0 && used(words - 1) == 0) --words;
+    return words == 0 ? 0 : static_cast<std::uint32_t>(64 * words - std::countl_zero(used(words - 1)));
+  }
+  for (std::size_t w = 0; w < words; ++w)
     if (const std::uint64_t word = used(w); ~word) return static_cast<std::uint32_t>(64 * w + std::countr_one(word));
+  return static_cast<std::uint32_t>(64 * words);
 }
 
 bool moves(const HardContacts& h, std::int32_t body) { return body >= 0 && h.bodies[body].inverse_mass > 0; }
 
-std::vector<std::uint32_t> choose_alone(const HardContacts& h) {
+std::vector<std::uint32_t> choose_alone(const HardContacts& h, Visits visits) {
   Taken taken(h.bodies.size());
   std::vector<std::uint32_t> colour(h.all.size());
-  for (const std::uint32_t c : order_of_choice(h)) {
+  for (const std::uint32_t c : order_of_choice(h, visits)) {
     const std::int32_t bodies[2] = {h.all[c].a, h.all[c].b};
-    colour[c] = lowest_free([&](std::size_t w) {
+    std::size_t words = 0;
+    for (const std::int32_t body : bodies)
+      if (moves(h, body)) words = std::max(words, taken.words(body));
+    colour[c] = choose(visits, words, [&](std::size_t w) {
       std::uint64_t used = 0;
       for (const std::int32_t body : bodies)
         if (moves(h, body)) used |= taken.word(body, w);
@@ -94,11 +104,16 @@ std::vector<std::uint32_t> choose_alone(const HardContacts& h) {
 /// body, the other rank is told the colours that this one has; a contact chooses when it is its turn on both sides.
 class CommonChoice {
  public:
-  CommonChoice(const HardContacts& h, const Halo& halo)
-      : h_(h), halo_(halo), taken_(h.bodies.size()), colour_(h.all.size(), none), told_(h.all.size(), 0) {
+  CommonChoice(const HardContacts& h, const Halo& halo, Visits visits)
+      : h_(h),
+        halo_(halo),
+        visits_(visits),
+        taken_(h.bodies.size()),
+        colour_(h.all.size(), none),
+        told_(h.all.size(), 0) {
     queue_.resize(h.own);
     next_.assign(h.own, 0);
-    for (const std::uint32_t c : order_of_choice(h)) {
+    for (const std::uint32_t c : order_of_choice(h, visits)) {
       for (const std::int32_t body : {h.all[c].a, h.all[c].b})
         if (is_own(body) && moves(h, body)) queue_[static_cast<std::size_t>(body)].push_back(c);
       waiting_.push_back(c);
@@ -140,7 +155,10 @@ class CommonChoice {
     const auto heard = heard_.find(c);
     if (is_shared(contact) && !told_[c]) say(c);
     if (is_shared(contact) && heard == heard_.end()) return;
-    colour_[c] = lowest_free([&](std::size_t w) {
+    std::size_t words = heard != heard_.end() ? heard->second.size() : 0;
+    for (const std::int32_t body : {contact.a, contact.b})
+      if (is_own(body) && moves(h_, body)) words = std::max(words, taken_.words(body));
+    colour_[c] = choose(visits_, words, [&](std::size_t w) {
       std::uint64_t used = heard != heard_.end() && w < heard->second.size() ? heard->second[w] : 0;
       for (const std::int32_t body : {contact.a, contact.b})
         if (is_own(body) && moves(h_, body)) used |= taken_.word(body, w);
@@ -200,6 +218,7 @@ class CommonChoice {
 
   const HardContacts& h_;
   const Halo& halo_;
+  Visits visits_;
   Taken taken_;
   std::vector<std::uint32_t> colour_;
   std::vector<std::uint8_t> told_;
@@ -244,8 +263,8 @@ Telling before_colour(const HardContacts& h, const Halo& halo, std::size_t colou
 
 }  // namespace
 
-void colour_contacts(HardContacts& h, const Halo& halo) {
-  put_in_order(h.ranks.alone() ? choose_alone(h) : CommonChoice(h, halo).run(), h);
+void colour_contacts(HardContacts& h, const Halo& halo, Visits visits) {
+  put_in_order(h.ranks.alone() ? choose_alone(h, visits) : CommonChoice(h, halo, visits).run(), h);
   h.before_colour.clear();
   if (h.ranks.alone()) return;
   for (std::size_t k = 0; k + 1 < h.colour_first.size(); ++k) h.before_colour.push_back(before_colour(h, halo, k));

@@ -8,10 +8,17 @@
 
 namespace scree {
 
-/// Colours the contacts: of two contacts of one body that can move, the one whose key has the higher hash chooses
-/// first, the lowest colour that is free (the outcome of Jones and Plassmann 1993 with these priorities). A function of
-/// the keys of all ranks alone, as random as the hash, so that sweeps have no preferred direction.
-void colour_contacts(HardContacts& contacts, const Halo& halo);
+/// How sweeps go through the contacts.
+enum class Visits {
+  coloured,  // as many as possible at once
+  by_key     // each body's in the order of their keys, as if all were visited one after the other in that order
+};
+
+/// Colours the contacts. Visits::coloured: of two contacts of one body that can move, the one whose key has the higher
+/// hash chooses first, the lowest colour that is free (the outcome of Jones and Plassmann 1993 with these priorities).
+/// A function of the keys of all ranks alone, as random as the hash, so that sweeps have no preferred direction.
+/// Visits::by_key: contacts choose in the order of their keys, the colour after those of both bodies.
+void colour_contacts(HardContacts& contacts, const Halo& halo, Visits visits);
 
 /// Calls visit(k) for all places k of `order`, colour after colour, and before(colour) before each; returns the largest
 /// of the numbers that visit() returns.

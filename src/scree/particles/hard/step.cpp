@@ -70,7 +70,7 @@ void collide_and_drift(ParticleSystem& s, ContactLists& lists, const HardSetting
   HardContacts& h = step.contacts;
   update_ghosts(s, lists);
   find_hard_contacts(s, lists, h);
-  colour_contacts(h, lists.halo);
+  colour_contacts(h, lists.halo, settings.sequential ? Visits::by_key : Visits::coloured);
   step.findings = count(s, h);
   step.relocated = relocate(s, h, settings, move.gravity);
   step.collisions = collide(h, settings, move.kick * sc_norm(move.gravity));
