@@ -3,8 +3,10 @@
 
 PROGRAM is scree, PACKINGS the directory with dense.csv (`scree bench dense` makes it), PROCESSES as in "1 2 4 8". Prints one
 line per run in Markdown: the dense bed of 100 000 spheres shared by all (strong), one such bed per process side by side (weak),
-and the 2000 falling ellipsoids of the thesis' table 4-5. The time of a step is that of its stages at the root, waiting included,
-output left out; efficiency is the time of the first line over processes times this one (weak: over this one).
+the 2000 falling ellipsoids of the thesis' table 4-5 shared by all (ellipsoids), and 2000 of them per process in a box that is as many
+times as long (weak-ellipsoids). The time of a step is that of its stages at the root, waiting included,
+output left out; efficiency is the time of the first line over processes times this one (weak: over this one). Where processes
+outnumber the processors times say nothing, and "oversubscribed" stands in place of it.
 """
 
 import argparse
@@ -19,6 +21,7 @@ import tempfile
 HERE = pathlib.Path(__file__).parent
 STAGES = ("neighbours", "fields", "contacts and motion")
 WIDTH = 0.08  # of the dense bed [m]
+CORES = len(os.sched_getaffinity(0))
 
 
 def tiled(table, times, place):
@@ -36,9 +39,8 @@ def tiled(table, times, place):
 def command(program, processes):
     if processes == 1:
         return [program]
-    cores = len(os.sched_getaffinity(0))
     return (["mpirun", "-n", str(processes)] + (["--allow-run-as-root"] if os.geteuid() == 0 else [])
-            + (["--oversubscribe", "--bind-to", "none"] if processes > cores else ["--bind-to", "core"]) + [program])
+            + (["--oversubscribe", "--bind-to", "none"] if processes > CORES else ["--bind-to", "core"]) + [program])
 
 
 def run(program, processes, case, settings, until, directory):
@@ -62,7 +64,14 @@ def ellipsoids(_packings, _processes, _directory):
     return "thesis_ellipsoids.toml", [], "0.3 s"
 
 
-CASES = {"strong": strong, "weak": weak, "ellipsoids": ellipsoids}
+def weak_ellipsoids(_packings, processes, _directory):
+    length = 0.04 * processes
+    return "thesis_ellipsoids.toml", [f"domain.max=[{length + 1e-3}, 0.041, 0.052]", f"particles.bed.count={2000 * processes}",
+                                      f"particles.bed.region_max=[{length}, 0.04, 0.05]",
+                                      f"walls.box.max=[{length}, 0.04, 0.051]"], "0.3 s"
+
+
+CASES = {"strong": strong, "weak": weak, "ellipsoids": ellipsoids, "weak-ellipsoids": weak_ellipsoids}
 
 
 def main():
@@ -74,7 +83,8 @@ def main():
     arguments = parser.parse_args()
     print("| case | processes | particles | steps | ms per step | efficiency | messages | bytes | imbalance | waiting | state |")
     print("|" + "---|" * 11)
-    for make in (CASES[name] for name in arguments.cases):
+    for name in arguments.cases:
+        make = CASES[name]
         first = None
         for count in arguments.processes:
             with tempfile.TemporaryDirectory() as directory:
@@ -82,9 +92,10 @@ def main():
                 s = run(arguments.program, count, case, settings, until, f"{directory}/run")
             step = 1e3 * sum(s["stages"].get(stage, 0) for stage in STAGES) / s["steps"]
             first = first or (step, count)
-            efficiency = first[0] / step * (1 if make is weak else first[1] / count)
+            efficiency = first[0] / step * (1 if name.startswith("weak") else first[1] / count)
             shared = s["sharing"]
-            cells = [make.__name__, count, s["particles"], s["steps"], f"{step:.3f}", f"{efficiency:.3f}"]
+            cells = [name, count, s["particles"], s["steps"], f"{step:.3f}",
+                     f"{efficiency:.3f}" if count <= CORES else "oversubscribed"]
             if shared:
                 waiting = shared["waiting"] / (shared["busy"] + shared["waiting"])
                 cells += [f"{shared['messages']:.2f}", f"{shared['bytes']:.0f}", f"{shared['imbalance']:.3f}", f"{waiting:.3f}"]

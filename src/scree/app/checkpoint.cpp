@@ -21,7 +21,8 @@ std::string Simulation::hash_share() { return hash_of(save_share(), clock_.now()
 /// This rank's part of the present state.
 StateShare Simulation::share() {
   if (is_on_device()) whole();
-  if (!ranks_.alone()) {
+  // Lists cannot be made of places that are no numbers; whoever is there has not changed since they were made.
+  if (!ranks_.alone() && findings_.sound) {
     move_walls(clock_.now());
     refresh_neighbours();
   }

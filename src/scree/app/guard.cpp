@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "scree/base/error.h"
 #include "scree/particles/contact_state.h"
@@ -18,28 +19,55 @@ std::string place_of(const Particles& p, std::size_t i) {
                      m[1], m[2], m[lane::vx], m[lane::vy], m[lane::vz]);
 }
 
-[[noreturn]] void report_unsound(const Particles& p, double time) {
+bool is_finite(const Particles& p, std::size_t i) {
+  const double* m = p.motion.row(i);
+  return std::all_of(m, m + 8, [](double x) { return std::abs(x) < 1e150; });
+}
+
+/// The axis along which a particle is outside the domain; -1 without one.
+int axis_left(const ParticleSystem& s, std::size_t i) {
+  for (int k = 0; k < 3; ++k) {
+    const double x = s.particles.motion.row(i)[k];
+    if (!s.domain.periodic[k] && (x < s.domain.low(k) || x >= s.domain.high(k))) return k;
+  }
+  return -1;
+}
+
+/// The row of the lowest id among those of which `is_astray` is true; empty without one.
+template <class IsAstray>
+std::optional<std::size_t> lowest(const Particles& p, IsAstray&& is_astray) {
+  std::optional<std::size_t> found;
   for (std::size_t i = 0; i < p.size(); ++i)
-    for (int k = 0; k < 8; ++k)
-      if (!(std::abs(p.motion.row(i)[k]) < 1e150))
-        throw PhysicsError(
-            fmt::format("t = {:.9g} s: the motion of {} is no longer finite. The time step is too long for "
-                        "the forces: see `scree check`",
-                        time, place_of(p, i)));
+    if (is_astray(i) && (!found || p.id[i] < p.id[*found])) found = i;
+  return found;
+}
+
+std::optional<std::size_t> lowest_unsound(const Particles& p) {
+  return lowest(p, [&](std::size_t i) { return !is_finite(p, i); });
+}
+
+std::optional<std::size_t> lowest_lost(const ParticleSystem& s) {
+  return lowest(s.particles, [&](std::size_t i) { return axis_left(s, i) >= 0; });
+}
+
+[[noreturn]] void report_unsound(const Particles& p, double time, const std::string& last_seen) {
+  if (const auto i = lowest_unsound(p))
+    throw PhysicsError(
+        fmt::format("t = {:.9g} s: the motion of {} is no longer finite.{} The time step is too long for "
+                    "the forces: see `scree check`",
+                    time, place_of(p, *i), last_seen));
   throw PhysicsError(fmt::format("t = {:.9g} s: a speed is no longer finite", time));
 }
 
 [[noreturn]] void report_lost(const ParticleSystem& s, double time) {
-  const Particles& p = s.particles;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for (int k = 0; k < 3; ++k) {
-      const double x = p.motion.row(i)[k];
-      if (!s.domain.periodic[k] && (x < s.domain.low(k) || x >= s.domain.high(k)))
-        throw PhysicsError(
-            fmt::format("t = {:.9g} s: {} has left the domain through its {} {} face. Close it with a wall, make it "
-                        "an outlet ([[outlets]]), make the axis periodic, or enlarge [domain]",
-                        time, place_of(p, i), x < s.domain.min[k] ? "lower" : "upper", "xyz"[k]));
-    }
+  if (const auto i = lowest_lost(s)) {
+    const int k = axis_left(s, *i);
+    throw PhysicsError(
+        fmt::format("t = {:.9g} s: {} has left the domain through its {} {} face. Close it with a wall, make it "
+                    "an outlet ([[outlets]]), make the axis periodic, or enlarge [domain]",
+                    time, place_of(s.particles, *i),
+                    s.particles.motion.row(*i)[k] < s.domain.min[k] ? "lower" : "upper", "xyz"[k]));
+  }
   throw PhysicsError(fmt::format("t = {:.9g} s: a particle has left the domain", time));
 }
 
@@ -167,9 +195,15 @@ bool is_sound(const SweepFindings& findings, double max_overlap) {
   return findings.sound && findings.inside && findings.deepest <= max_overlap;
 }
 
-void guard_step(const ParticleSystem& system, const SweepFindings& findings, double max_overlap, double time) {
+std::int64_t first_astray(const ParticleSystem& s, const SweepFindings& findings) {
+  const auto row = !findings.sound ? lowest_unsound(s.particles) : lowest_lost(s);
+  return row ? s.particles.id[*row] : -1;
+}
+
+void guard_step(const ParticleSystem& system, const SweepFindings& findings, double max_overlap, double time,
+                const std::string& last_seen) {
   if (is_sound(findings, max_overlap)) return;
-  if (!findings.sound) report_unsound(system.particles, time);
+  if (!findings.sound) report_unsound(system.particles, time, last_seen);
   if (findings.deepest > max_overlap) report_deep(system, findings.deepest, max_overlap, time);
   report_lost(system, time);
 }

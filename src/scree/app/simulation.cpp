@@ -1,7 +1,10 @@
 #include "scree/app/simulation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scree/app/build_coupling.h"
 #include "scree/app/build_fluid.h"
@@ -191,14 +194,40 @@ void Simulation::move_prescribed_bodies() {
   note_travel(lists_, fastest * clock_.dt);
 }
 
+namespace {
+
+/// The lowest id of all ranks' that is none of the -1 of those who have none.
+std::int64_t lowest_of(std::int64_t id, const Ranks& ranks) {
+  const double lowest = -ranks.largest(id < 0 ? -std::numeric_limits<double>::infinity() : -static_cast<double>(id));
+  return std::isfinite(lowest) ? static_cast<std::int64_t>(lowest) : -1;
+}
+
+/// Where a particle was in the state that was kept last, as a sentence; empty if it was not there.
+std::string place_kept(std::int64_t id, const std::optional<StateShare>& kept, const Ranks& ranks) {
+  std::vector<double> place(3, -std::numeric_limits<double>::infinity());
+  if (kept)
+    for (std::size_t i = 0; i < kept->particles.size(); ++i)
+      if (kept->particles.id[i] == id) std::copy_n(kept->particles.motion.row(i), 3, place.begin());
+  ranks.find_largest(place);
+  if (!std::isfinite(place[0])) return "";
+  return fmt::format(" It was at ({:.6g}, {:.6g}, {:.6g}) m at t = {:.9g} s, in the last row of the series.", place[0],
+                     place[1], place[2], kept->head.number("time"));
+}
+
+}  // namespace
+
 void Simulation::guard() {
   const double limit = case_.simulation.max_overlap;
   if (!is_sound(findings_, limit)) {
     update_ghosts(system_, lists_);
-    // Of several ranks the one that has found the deepest overlap speaks of it.
+    // Of several ranks the one speaks that has found the deepest overlap, or that has the one who is named.
     SweepFindings mine = own_findings_;
     if (mine.deepest < findings_.deepest) mine.deepest = 0;
-    together([&] { guard_step(system_, mine, limit, clock_.now()); });
+    const std::int64_t astray = first_astray(system_, findings_);
+    const std::int64_t named = lowest_of(astray, ranks_);
+    if (astray != named) mine.sound = mine.inside = true;
+    const std::string last_seen = place_kept(named, kept_, ranks_);
+    together([&] { guard_step(system_, mine, limit, clock_.now(), last_seen); });
   }
   if (system_.hard && hard_.stride > 1)
     together([&] {
