@@ -168,6 +168,7 @@ Luggage keep_share(ParticleSystem& s, const Blocks& blocks, const Ranks& ranks) 
   for (std::size_t i = 0; i < p.size(); ++i)
     if (here(i)) own.push_back(static_cast<std::uint32_t>(i));
   p.permute(own);
+  p = Particles(p);  // columns keep their memory, a copy has only what it needs
   s.contacts = with_no_memory({}, s.contacts);
   s.wall_contacts = {};
   return luggage;
