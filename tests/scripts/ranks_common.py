@@ -20,7 +20,8 @@ ENVIRONMENT = os.environ | {
     "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_WAIT_POLICY": "passive", "OMPI_MCA_hwloc_base_binding_policy": "none",
     "ASAN_OPTIONS": "detect_leaks=0"}
 
-# A crowd that rushes through a box, and over its periodic faces: everybody changes the rank many times.
+# A crowd that rushes through a box, and over its periodic faces: everybody changes the rank many times, also while touching the
+# partition or crossing the planes, which lie in the blocks of several ranks.
 CROWD = """
 [simulation]
 end = 0.03
@@ -59,6 +60,12 @@ type = "plane"
 material = "glass"
 point = [0, 0, 0.001]
 normal = [0, 0, 1]
+[[walls]]
+name = "partition"
+type = "rectangle"
+material = "glass"
+min = [0.02, 0.01, 0.002]
+max = [0.02, 0.04, 0.07]
 [output]
 series = "1 ms"
 frames = "5 ms"
@@ -68,6 +75,14 @@ contacts = true
 name = "middle"
 point = [0, 0, 0.01]
 normal = [0, 0, 1]
+[[analysis.planes]]
+name = "high"
+point = [0, 0, 0.022]
+normal = [0, 0, 1]
+[[analysis.planes]]
+name = "upright"
+point = [0.03, 0, 0]
+normal = [1, 0, 0]
 """
 
 SHAPES = """
