@@ -327,7 +327,7 @@ class Ranks(unittest.TestCase):
         (self.work / "case.toml").write_text(case)
         command = [PROGRAM, "run", "case.toml", "-o", output, "--quiet", "--threads", str(threads), *words]
         launcher = [MPIEXEC, "-n", str(ranks)] if ranks > 0 else []
-        return subprocess.run(launcher + command, capture_output=True, text=True, cwd=self.work, env=ENVIRONMENT, timeout=1500)
+        return subprocess.run(launcher + command, capture_output=True, text=True, cwd=self.work, env=ENVIRONMENT, timeout=2400)
 
     def run_on(self, ranks, case, output, *words, threads=1):
         result = self.scree(ranks, case, output, *words, threads=threads)

@@ -53,7 +53,8 @@ def case(step, count, contact, material):
 
 
 SOFT = case(2e-5, 250, 'rolling = "spring"', "stiffness = 500\nrolling_friction = 0.02")
-HARD = case(1e-4, 120, 'collision = "hard"', "")
+# Every sweep is as many messages as there are colours, and where ranks outnumber the processors each waits for its turn.
+HARD = case(1e-4, 80, 'collision = "hard"\n[hard]\nsweeps = 10', "")
 
 
 class TenThousandSteps(Ranks):
@@ -68,7 +69,7 @@ class TenThousandSteps(Ranks):
                   f"{time.monotonic() - begin:.0f} s", flush=True)
             self.assertEqual(found[ranks], found[1], ranks)
             self.same_files("on1", f"on{ranks}")
-        self.assertGreater(found[1][1] + found[1][2], STEPS * 50)  # dense
+        self.assertGreater(found[1][1] + found[1][2], 0.3 * STEPS * summary["particles"])  # dense
 
     def test_soft_contact(self):
         self.same_bits(SOFT)
