@@ -31,6 +31,13 @@ void for_each_field(State& s, Visit&& visit) {
     visit(fmt::format("fluid_scalar{}", n), 3, s.scalars[n].value);
     visit(fmt::format("fluid_scalar{}_old", n), 3, s.scalars[n].value_old);
   }
+  for (int a = 0; a < 3 && !s.solids_flux[a].empty(); ++a) {
+    visit(fmt::format("fluid_solids_passed_{}", axes[a]), a, s.solids_passed[a]);
+    visit(fmt::format("fluid_solids_flux_{}", axes[a]), a, s.solids_flux[a]);
+    visit(fmt::format("fluid_solids_flux_old_{}", axes[a]), a, s.solids_flux_old[a]);
+    visit(fmt::format("fluid_solids_beyond_{}", axes[a]), a, s.solids_beyond[a]);
+    visit(fmt::format("fluid_solids_beyond_old_{}", axes[a]), a, s.solids_beyond_old[a]);
+  }
   if (s.eddies_found.empty()) return;
   visit("fluid_eddies_found", 3, s.eddies_found);
   visit("fluid_eddies_modelled", 3, s.eddies_modelled);
@@ -40,8 +47,11 @@ void for_each_field(State& s, Visit&& visit) {
 template <class Coupling, class Visit>
 void for_each_shared_field(Coupling& c, Visit&& visit) {
   visit("coupling_drag", c.fluid.load.drag);
+  visit("coupling_levels", c.levels);
+  visit("coupling_surpluses", c.surpluses);
   for (int a = 0; a < 3; ++a) {
     visit(fmt::format("coupling_push_{}", axes[a]), c.fluid.load.push[a]);
+    visit(fmt::format("coupling_solids_{}", axes[a]), c.fluid.load.solids[a]);
     visit(fmt::format("coupling_returned_{}", axes[a]), c.returned[a]);
   }
 }

@@ -7,6 +7,7 @@
 #include "scree/base/exact_sum.h"
 #include "scree/compute/launch.h"
 #include "scree/coupling/crowding.h"
+#include "scree/coupling/passage.h"
 #include "scree/fluid/halo.h"
 #include "scree/physics/drag/crowded.h"
 #include "scree/physics/math.h"
@@ -24,7 +25,7 @@ double volume_of(const Particles& p, std::size_t i) {
 
 /// What the particles say to the fluid in a step, and what is known of them on the way.
 struct Exchanged {
-  Quantity volume{{}, 1, 1}, drag{{}, 1, 1}, push{{}, 3, 1}, surplus{{}, 3, 1};
+  Quantity volume{{}, 1, 1}, motion{{}, 3, 1}, drag{{}, 1, 1}, push{{}, 3, 1}, surplus{{}, 3, 1};
   std::vector<double> kappa;  // of each particle [kg/s]
   Vector returned{};          // in the cells of this rank [N s]
   CellBox box;
@@ -73,22 +74,59 @@ void read_component(const Mesh& m, const Deposits& sums, int component, double s
   });
 }
 
-/// The void fraction from the volumes of the particles.
+/// What has passed the faces of the cells: with the particles, and by what spreads and relieves them further, as much
+/// as that has changed since the last step.
+void find_passed(FluidCoupling& c, const Particles& p, const Exchanged& x, const Field& old_levels,
+                 const Field& old_surpluses) {
+  const Mesh& m = c.fluid.mesh;
+  Deposits mine;
+  spread_passage(c.spreading, p, x.volume, x.box, mine);
+  const Deposits sums = c.exchange.collect(mine);
+  Field levels = m.make_field(), surpluses = m.make_field();
+  for (std::int64_t at = 0; at < m.size; ++at) {
+    levels[at] = c.levels[at] - old_levels[at];
+    surpluses[at] = (c.surpluses[at] - old_surpluses[at]) / 6;
+  }
+  renew_ghosts(m, c.fluid.ranks, 1, {&levels, &surpluses});
+  VectorField& passed = c.fluid.load.passed;
+  for (int a = 0; a < 3; ++a) {
+    read_component(m, sums, a, x.volume.scale, passed[a]);
+    const std::int64_t st = m.stride[a];
+    for_each_row(m, [&](int j, int k) {
+      for (int i = 0; i < m.n[0]; ++i) {
+        const std::int64_t at = m.index(i, j, k);
+        const double spread = c.diffusion.length2 > 0 ? c.diffusion.equation.face[a][at] : 0;
+        passed[a][at] += spread * (levels[at - st] - levels[at]) + m.open[a][at] * (surpluses[at - st] - surpluses[at]);
+      }
+    });
+  }
+  renew_ghosts(m, c.fluid.ranks, 1, {&passed[0], &passed[1], &passed[2]});
+}
+
+/// The void fraction from the volumes of the particles, and their volume flux.
 void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x) {
   const Mesh& m = c.fluid.mesh;
   x.box = c.fluid.ranks.alone() ? m.box : touched_cells(c.spreading, p);
   x.count = c.fluid.ranks.total(static_cast<std::int64_t>(p.size()));
   x.volume.values.resize(p.size());
   launch(p.size(), [&](std::size_t i) { x.volume.values[i] = volume_of(p, i); });
-  x.volume.scale = scale_for(x.volume, x.count, c.fluid.ranks);
+  x.motion.values.resize(3 * p.size());
+  launch(p.size(), [&](std::size_t i) {
+    for (int a = 0; a < 3; ++a) x.motion.values[3 * i + a] = x.volume.values[i] * p.motion.row(i)[lane::vx + a];
+  });
+  for (Quantity* q : {&x.volume, &x.motion}) q->scale = scale_for(*q, x.count, c.fluid.ranks);
   Deposits mine;
-  spread(c.spreading, p, {&x.volume}, x.box, mine);
+  spread(c.spreading, p, {&x.volume, &x.motion}, x.box, mine);
   const Deposits sums = c.exchange.collect(mine);
+  for (int a = 0; a < 3; ++a) read_component(m, sums, 1 + a, x.motion.scale, c.amounts[a]);
+  diffuse(c.diffusion, m, c.fluid.ranks, c.amounts, c.fluid.load.solids);
   read_component(m, sums, 0, x.volume.scale, c.amounts[0]);
   for (int a = 1; a < 3; ++a) std::fill(c.amounts[a].begin(), c.amounts[a].end(), 0.0);
-  diffuse(c.diffusion, m, c.fluid.ranks, c.amounts, c.densities);
+  const Field old_levels = c.levels, old_surpluses = c.surpluses;
+  diffuse(c.diffusion, m, c.fluid.ranks, c.amounts, c.densities, &c.levels);
   Field& solids = c.densities[0];
-  const Crowding crowding = relieve_crowding(m, c.fluid.ranks, 1 - c.settings.least_fraction, solids);
+  const Crowding crowding = relieve_crowding(m, c.fluid.ranks, 1 - c.settings.least_fraction, solids, c.surpluses);
+  find_passed(c, p, x, old_levels, old_surpluses);
   c.books.crowded += static_cast<double>(crowding.cells);
   c.books.least_fraction = 1 - crowding.densest;
   for_each_row(m, [&](int j, int k) {
@@ -235,12 +273,14 @@ FluidCoupling::FluidCoupling(const FluidRegion& region, FluidSettings k, const C
       spreading(fluid.region, forms),
       exchange(fluid.mesh, fluid.ranks),
       returned(fluid.mesh.make_vector()),
+      levels(fluid.mesh.make_field()),
+      surpluses(fluid.mesh.make_field()),
       amounts(fluid.mesh.make_vector()),
       densities(fluid.mesh.make_vector()) {
   if (settings.diffusion > 0) diffusion = make_diffusion(fluid.mesh, fluid.ranks, settings.diffusion);
 }
 
-void begin_coupling(FluidCoupling& c, const Particles& p, const std::array<PlaceFormula, 3>& velocity) {
+void begin_coupling(FluidCoupling& c, Particles& p, const std::array<PlaceFormula, 3>& velocity) {
   // The first step of the fluid meets the particles where they are; before, they were where they come from, or the
   // fluid that makes way for them would have come to rest in between.
   Particles before = p;
@@ -249,6 +289,9 @@ void begin_coupling(FluidCoupling& c, const Particles& p, const std::array<Place
   Exchanged x;
   find_fraction(c, before, x);
   set_velocity(c.fluid, velocity);
+  note_meeting(before);
+  p.met_at = before.met_at;
+  p.met_turned = before.met_turned;
 }
 
 void hand_back(FluidCoupling& c, const Particles& p, const std::vector<std::uint8_t>& gone) {
@@ -285,6 +328,7 @@ void advance_fluid(FluidCoupling& c, Particles& p) {
   c.report = advance(c.fluid, c.settings.fluid_step());
   promise(c, p, x);
   close_books(c, p, x);
+  note_meeting(p);
 }
 
 std::array<double, 3> under_way(const Particles& p) {

@@ -46,6 +46,8 @@ struct FluidCoupling {
   CouplingBooks books;
   StepReport report;     // of the last step of the fluid
   VectorField returned;  // by particles that have left: what they have received beyond what was promised [N s]
+  // How much what particles spread is spread further, see diffuse() and relieve_crowding(); in the last step.
+  Field levels, surpluses;
   VectorField amounts, densities;
 };
 
@@ -54,7 +56,7 @@ struct FluidCoupling {
 std::array<double, 3> under_way(const Particles& particles);
 
 /// Puts the particles into a fluid that begins with a velocity.
-void begin_coupling(FluidCoupling& coupling, const Particles& particles, const std::array<PlaceFormula, 3>& velocity);
+void begin_coupling(FluidCoupling& coupling, Particles& particles, const std::array<PlaceFormula, 3>& velocity);
 
 /// Particles marked in `gone` (empty: none) are about to leave: what they have not received the fluid keeps. To be
 /// called by all ranks.

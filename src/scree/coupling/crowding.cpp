@@ -49,8 +49,9 @@ void pass_on(const Mesh& m, const Field& surplus, Field& solids) {
 
 }  // namespace
 
-Crowding relieve_crowding(const Mesh& m, const Ranks& ranks, double most, Field& solids) {
+Crowding relieve_crowding(const Mesh& m, const Ranks& ranks, double most, Field& solids, Field& surpluses) {
   Crowding out;
+  std::fill(surpluses.begin(), surpluses.end(), 0.0);
   out.densest = densest_of(m, ranks, solids);
   if (out.densest <= most + enough) return out;
   Field surplus = m.make_field();
@@ -59,6 +60,7 @@ Crowding relieve_crowding(const Mesh& m, const Ranks& ranks, double most, Field&
     if (round == 0) out.cells = cells;
     renew_ghosts(m, ranks, 1, {&surplus});
     pass_on(m, surplus, solids);
+    for (std::int64_t c = 0; c < m.size; ++c) surpluses[c] += surplus[c];
     out.densest = densest_of(m, ranks, solids);
   }
   return out;

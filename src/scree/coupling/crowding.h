@@ -11,7 +11,8 @@ struct Crowding {
   double densest = 0;      // the largest fraction of solids afterwards, of all ranks
 };
 
-/// `solids` is the fraction of each cell that is solid, with room for ghosts; at most `most` afterwards.
-Crowding relieve_crowding(const Mesh& mesh, const Ranks& ranks, double most, Field& solids);
+/// `solids` is the fraction of each cell that is solid, with room for ghosts; at most `most` afterwards. Of the sum of
+/// what the cells had too much in all rounds [m3], `surpluses`, a sixth of the difference has passed each open face.
+Crowding relieve_crowding(const Mesh& mesh, const Ranks& ranks, double most, Field& solids, Field& surpluses);
 
 }  // namespace scree

@@ -52,7 +52,9 @@ Diffusion make_diffusion(const Mesh& m, const Ranks& ranks, double width) {
   return d;
 }
 
-void diffuse(Diffusion& d, const Mesh& m, const Ranks& ranks, const VectorField& amount, VectorField& x) {
+void diffuse(Diffusion& d, const Mesh& m, const Ranks& ranks, const VectorField& amount, VectorField& x,
+             Field* levels) {
+  if (levels) std::fill(levels->begin(), levels->end(), 0.0);
   for (int a = 0; a < 3; ++a)
     for_each_row(m, [&](int j, int k) {
       for (int i = 0; i < m.n[0]; ++i) {
@@ -68,6 +70,8 @@ void diffuse(Diffusion& d, const Mesh& m, const Ranks& ranks, const VectorField&
       std::fill(d.spare[a].begin(), d.spare[a].end(), 0.0);
     }
     solve(m, ranks, d.equation, step > 0 ? d.rest : amount, tolerance, {x, d.spare});
+    if (!levels) continue;
+    for (std::int64_t c = 0; c < m.size; ++c) (*levels)[c] += x[0][c];
   }
 }
 

@@ -16,7 +16,10 @@ struct Diffusion {
 /// Diffusion to the second moment of a Gaussian of full width at half maximum `width` [m].
 Diffusion make_diffusion(const Mesh& mesh, const Ranks& ranks, double width);
 
-/// Of three fields with one layer of ghosts: x = what `amount` [anything] of each cell becomes per volume.
-void diffuse(Diffusion& diffusion, const Mesh& mesh, const Ranks& ranks, const VectorField& amount, VectorField& x);
+/// Of three fields with one layer of ghosts: x = what `amount` [anything] of each cell becomes per volume. `levels`:
+/// the sum over the steps of the first of them; the face coefficients times its differences are what has passed the
+/// faces.
+void diffuse(Diffusion& diffusion, const Mesh& mesh, const Ranks& ranks, const VectorField& amount, VectorField& x,
+             Field* levels = nullptr);
 
 }  // namespace scree

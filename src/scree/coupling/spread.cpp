@@ -1,28 +1,17 @@
 #include "scree/coupling/spread.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 
-#include "scree/compute/team.h"
-#include "scree/physics/rotation.h"
+#include "scree/coupling/deposit.h"
 
 namespace scree {
 namespace {
 
-constexpr double magic = 0x1.8p52;  // a number below 2^51 added to this ends in its nearest whole number
-constexpr int bits_of_one = 50;     // of the largest particle
-constexpr int bits_of_all = 61;     // of the sum
-constexpr int corners = 8;
-
-/// The nearest whole number.
-inline std::int64_t whole(double x) {
-  return std::bit_cast<std::int64_t>(x + magic) - std::bit_cast<std::int64_t>(magic);
-}
-
+constexpr int bits_of_one = 50;  // of the largest particle
+constexpr int bits_of_all = 61;  // of the sum
 /// The 27 cells of a point: offsets in a patch of one number per cell, and weights.
 struct PointCells {
   std::array<std::int64_t, 27> offset;
@@ -65,22 +54,6 @@ bool find_cells(const Spreading& s, const Patch<T>& patch, sc_vec x, PointCells&
   if (!s.blocked.empty() && !leave_out_blocked(s, a, p)) return false;
   p.heaviest = static_cast<int>(std::max_element(p.weight.begin(), p.weight.end()) - p.weight.begin());
   return true;
-}
-
-/// Calls visit(point, part) for what stands for a body.
-template <class Visit>
-void for_each_point(const Spreading& s, const Particles& p, std::size_t i, Visit&& visit) {
-  const double* m = p.motion.row(i);
-  const sc_vec x = sc_make_vec(m[0], m[1], m[2]);
-  const std::int32_t form = p.shaped() ? p.form[i] : 0;
-  if (form == 0 || s.points[form][0] == 0) return visit(x, 1.0);
-  const double* q = p.orientation.row(i);
-  const sc_mat turn = sc_quat_mat(sc_make_quat(q[0], q[1], q[2], q[3]));
-  const Axes& half = s.points[form];
-  for (int c = 0; c < corners; ++c) {
-    const sc_vec own = sc_make_vec((c & 1 ? 1 : -1) * half[0], (c & 2 ? 1 : -1) * half[1], (c & 4 ? 1 : -1) * half[2]);
-    visit(sc_add_scaled(x, m[lane::radius], sc_turn(turn, own)), 1.0 / corners);
-  }
 }
 
 /// One particle's deposits of one quantity.
@@ -150,15 +123,20 @@ CellBox touched_cells(const Spreading& s, const Particles& p) {
   if (p.size() == 0) return {};
   CellBox box;
   for (int a = 0; a < 3; ++a) box.low[a] = std::numeric_limits<int>::max();
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for_each_point(s, p, i, [&](sc_vec x, double) {
-      const double at[3] = {x.x, x.y, x.z};
-      for (int a = 0; a < 3; ++a)
-        for (const int c : s.axis[a].shares(at[a]).cell) {
-          box.low[a] = std::min(box.low[a], c);
-          box.high[a] = std::max(box.high[a], c + 1);
-        }
-    });
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const auto include = [&](const BodyPoints& points) {
+      for (int n = 0; n < points.count; ++n) {
+        const double at[3] = {points.at[n].x, points.at[n].y, points.at[n].z};
+        for (int a = 0; a < 3; ++a)
+          for (const int c : s.axis[a].shares(at[a]).cell) {
+            box.low[a] = std::min(box.low[a], c);
+            box.high[a] = std::max(box.high[a], c + 1);
+          }
+      }
+    };
+    include(points_of(s, p, i));
+    if (p.coupled() && p.met_at.row(i)[3] != 0) include(points_before(s, p, i));
+  }
   return box;
 }
 
@@ -176,22 +154,9 @@ void spread(const Spreading& s, const Particles& p, const std::vector<const Quan
   int width = 0;
   for (const Quantity* q : quantities) width += q->components;
   out.shape(box, width);
-  const std::size_t n = p.size();
-  if (n < 2 * static_cast<std::size_t>(least_share)) return spread_some(s, p, quantities, 0, n, out);
-  const int threads = omp_get_max_threads();
-  std::vector<Deposits> of_thread(static_cast<std::size_t>(threads));
-#pragma omp parallel num_threads(threads)
-  {
-    const std::size_t t = static_cast<std::size_t>(omp_get_thread_num());
-    const std::size_t hands = static_cast<std::size_t>(omp_get_num_threads());
-    Deposits& mine = of_thread[t];
-    mine.shape(box, width);
-    spread_some(s, p, quantities, n * t / hands, n * (t + 1) / hands, mine);
-#pragma omp barrier
-#pragma omp for schedule(static)
-    for (std::size_t c = 0; c < out.values.size(); ++c)
-      for (std::size_t h = 0; h < hands; ++h) out.values[c] += of_thread[h].values[c];
-  }
+  in_parts(p.size(), out, [&](std::size_t begin, std::size_t end, Deposits& sums) {
+    spread_some(s, p, quantities, begin, end, sums);
+  });
 }
 
 void read_at(const Spreading& s, const Particles& p, const CellValues& values, std::vector<double>& out) {

@@ -22,7 +22,7 @@ struct Spreading {
   std::vector<Axes> points;
 };
 
-/// The cells that the particles touch.
+/// The cells that the particles touch, and those that they touched at the fluid's last step.
 CellBox touched_cells(const Spreading& spreading, const Particles& particles);
 
 /// A quantity of each particle, `components` numbers in a row; and the power of two that makes whole numbers of it.

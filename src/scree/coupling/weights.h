@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "scree/data/grid.h"
@@ -26,6 +27,7 @@ class SplineAxis {
   SplineAxis(const Grid& grid, int axis);
 
   int cells() const { return cells_; }
+  bool periodic() const { return period_ > 0; }
 
   /// The cell that a place is in; the nearest one for places outside.
   int cell_at(double x) const {
@@ -33,11 +35,19 @@ class SplineAxis {
     return static_cast<int>(std::upper_bound(first, last, x) - first);
   }
 
+  /// The image of a place that is nearest to another one.
+  double nearest_image(double x, double other) const {
+    return period_ > 0 ? x + period_ * std::round((other - x) / period_) : x;
+  }
+
+  /// How many periods a place is away from the grid.
+  int periods_away(double x) const {
+    if (period_ == 0) return 0;
+    return x < knots_[1] ? -1 : x >= knots_[static_cast<std::size_t>(cells_) + 1] ? 1 : 0;
+  }
+
   AxisShares shares(double x) const {
-    if (period_ > 0) {
-      if (x < knots_[1]) x += period_;
-      if (x >= knots_[static_cast<std::size_t>(cells_) + 1]) x -= period_;
-    }
+    x -= periods_away(x) * period_;
     const int j = cell_at(x);
     // Knots of the cell itself are k[1] and k[2].
     const double* k = knots_.data() + j;

@@ -44,11 +44,13 @@ enum class Travels { always, with_lists, on_migration };
 
 // Only where particles and a fluid that is solved for act on each other: what the fluid has said at its last step, and
 // what has come of it since.
-#define SCREE_COUPLED_FIELDS(FIELD)                                                                              \
-  FIELD(stream, double, 4, on_migration, true, "velocity of the fluid x y z [m/s], rate of its drag [1/s]")      \
-  FIELD(pull, double, 4, on_migration, true, "acceleration by the fluid besides drag x y z [m/s2], unused")      \
-  FIELD(drag_impulse, double, 4, on_migration, true, "impulse of drag since x y z [N s], time it has acted [s]") \
-  FIELD(expected, double, 4, on_migration, true, "impulse the fluid counts on x y z [N s], part of slip that stays")
+#define SCREE_COUPLED_FIELDS(FIELD)                                                                                  \
+  FIELD(stream, double, 4, on_migration, true, "velocity of the fluid x y z [m/s], rate of its drag [1/s]")          \
+  FIELD(pull, double, 4, on_migration, true, "acceleration by the fluid besides drag x y z [m/s2], unused")          \
+  FIELD(drag_impulse, double, 4, on_migration, true, "impulse of drag since x y z [N s], time it has acted [s]")     \
+  FIELD(expected, double, 4, on_migration, true, "impulse the fluid counts on x y z [N s], part of slip that stays") \
+  FIELD(met_at, double, 4, on_migration, true, "place at the fluid's last step x y z [m], 1 where there was one")    \
+  FIELD(met_turned, double, 4, on_migration, true, "orientation then, quaternion w x y z")
 
 /// One field: `components` values per particle, contiguous.
 template <class T, int Components>

@@ -128,9 +128,13 @@ struct FluidState {
   VectorField flux, flux_old;
   Field pressure;  // [Pa]
   static constexpr int earlier_corrections = 3;
-  std::array<Field, earlier_corrections>
-      corrections;                      // of the pressure in the last steps, newest first, times dt / (a0 density)
-  Field fraction, fraction_old;         // of the volume that is fluid
+  // Of the pressure in the last steps, newest first, times dt / (a0 density).
+  std::array<Field, earlier_corrections> corrections;
+  Field fraction, fraction_old;  // of the volume that is fluid
+  // Of what else is there and moves (FluidLoad): the volume that passed the faces in the last step [m3], the volume
+  // flux at the end of it [m3/s], and what of that, per area, the interpolation of the cells misses [m/s]. Empty where
+  // nothing says it.
+  VectorField solids_passed, solids_flux, solids_flux_old, solids_beyond, solids_beyond_old;
   std::vector<ScalarState> scalars;     // as in the settings
   Field eddies_found, eddies_modelled;  // dynamic, along the paths of the fluid: the means of L:M and M:M [m4/s4]
   FluidBooks books;
@@ -142,6 +146,9 @@ struct FluidLoad {
   Field fraction;    // of the volume that is fluid; empty where all is
   Field drag;        // K: the fluid feels -K u per volume [kg/(m3 s)], in model B K / e; empty without
   VectorField push;  // the force on it per volume besides, K v above all [N/m3]; empty without
+  // Of what else is there, with `loaded` only: its volume flux per area in the cells [m/s], and the volume of it that
+  // has passed the faces since the last step [m3], exactly as much as the void fraction has changed by.
+  VectorField solids, passed;
   // Answer: the pressure gradient that each cell has felt in the last step [Pa/m]; with `loaded` only. Over the cells
   // it sums to the pressure on the boundary.
   VectorField gradient;

@@ -1,6 +1,7 @@
 #include "scree/fluid/gradient.h"
 
 #include "scree/fluid/projection.h"
+#include "scree/fluid/solids.h"
 
 namespace scree {
 namespace {
@@ -9,12 +10,14 @@ namespace {
 /// [N/m3].
 double own_force(const FluidSolver& s, int a, std::int64_t c, double lower, double upper) {
   const Mesh& m = s.mesh;
-  const Field &push = s.load.push[a], &e = s.felt(), &force = s.work.face_force[a];
-  const std::int64_t st = m.stride[a];
-  const double own = push[c] / e[c];
-  const double from_below = m.open[a][c] > 0 ? (1 - lower) * (push[c - st] / e[c - st] - own) : 0;
-  const double from_above = m.open[a][c + st] > 0 ? upper * (push[c + st] / e[c + st] - own) : 0;
-  return 0.5 * ((force[c] - from_below) + (force[c + st] - from_above));
+  const Field& force = s.work.face_force[a];
+  const std::int64_t above = c + m.stride[a];
+  const auto beyond = [&](std::int64_t face, std::int64_t other, double share) {
+    return half_push(s, a, face, other, share) - half_push(s, a, face, c, share);
+  };
+  const double from_below = m.open[a][c] > 0 ? (1 - lower) * beyond(c, c - m.stride[a], lower) : 0;
+  const double from_above = m.open[a][above] > 0 ? upper * beyond(above, above, upper) : 0;
+  return 0.5 * ((force[c] - from_below) + (force[above] - from_above)) + s.work.push_shift[a][c];
 }
 
 }  // namespace

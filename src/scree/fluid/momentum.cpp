@@ -114,6 +114,8 @@ void find_mean_force(FluidSolver& s) {
     for_each_row(m, [&](int j, int k) {
       const std::int64_t at = m.index(0, j, k);
       for (int i = 0; i < m.n[0]; ++i) w.mean_force[a][at + i] += w.drag_shift[a][at + i];
+      if (w.push_shift[a].empty()) return;
+      for (int i = 0; i < m.n[0]; ++i) w.mean_force[a][at + i] += w.push_shift[a][at + i];
     });
 }
 

@@ -305,6 +305,14 @@ void find_memory(FluidSolver& s, const Bdf& bdf) {
         const double beyond2 = q2[i] - area * (low * e2[b] * u2[b] + high * e2[c] * u2[c]);
         out[i] = open[i] * (b1 * beyond1 + b2 * beyond2) / (1 + pace_rate * (low * rate[b] + high * rate[c]));
       }
+      if (s.state.solids_beyond[a].empty()) return;
+      const double *g0 = s.state.solids_beyond[a].data() + at, *g1 = s.state.solids_beyond_old[a].data() + at,
+                   *g2 = s.work.solids_beyond_older[a].data() + at;
+      for (int i = 0; i < n; ++i) {
+        const double low = lower[along * i], high = 1 - low, area = along ? across : across * width[i];
+        const double fade = 1 / (1 + pace_rate * (low * rate[at + i - st] + high * rate[at + i]));
+        out[i] += area * open[i] * ((b1 * g1[i] + b2 * g2[i]) * fade - g0[i]);
+      }
     });
 }
 

@@ -63,6 +63,8 @@ struct FluidWork {
   VectorField passage;     // D a0 rho / dt of the faces, see projection.cpp; empty where all are as `open`
   VectorField share;       // of the flux that drag leaves; empty without drag
   VectorField drag_shift, drag_shift_now;  // see momentum.h: with the estimated and with the corrected fluxes
+  VectorField solids_flux_older, solids_beyond_older;
+  VectorField push_shift;  // what pushes a cell itself beyond what its halves of the faces are given, as mean_force
   Helmholtz viscous;
   Field viscosity;  // of the cells, with that of eddies [Pa s]; empty where it is a constant
   Field eddies;     // their part of it [Pa s]; empty without a model of turbulence

@@ -15,6 +15,7 @@
 #include "scree/fluid/momentum.h"
 #include "scree/fluid/projection.h"
 #include "scree/fluid/scalar.h"
+#include "scree/fluid/solids.h"
 #include "scree/fluid/solver.h"
 #include "scree/fluid/viscosity.h"
 
@@ -75,8 +76,8 @@ void evaluate_forces(FluidSolver& s, double time) {
   evaluate_push(s, time);
   if (s.work.face_force[0].empty()) return;
   const Mesh& m = s.mesh;
-  const Field &e = s.state.fraction, &felt = s.felt();
-  const auto pushed = [&](int a, std::int64_t c) { return s.load.push[a].empty() ? 0.0 : s.load.push[a][c] / felt[c]; };
+  const Field& e = s.state.fraction;
+  const bool pushes = !s.load.push[0].empty();
   for (int a = 0; a < 3; ++a)
     for (int k = 0; k < m.n[2] + (a == 2); ++k)
       for (int j = 0; j < m.n[1] + (a == 1); ++j)
@@ -89,11 +90,14 @@ void evaluate_forces(FluidSolver& s, double time) {
             x[d] =
                 d == a ? m.region->grid.faces[d][m.box.low[d] + at[d]] : m.region->grid.centre(d, m.box.low[d] + at[d]);
           const double above = m.axis[a].lower_share[Mesh::ghosts + at[a]], below = 1 - above;
-          s.work.face_force[a][c] =
-              face_force(s, a, x, time, below / e[b] + above / e[c]) + (below * pushed(a, b) + above * pushed(a, c));
+          const double pushed =
+              pushes ? below * half_push(s, a, c, b, above) + above * half_push(s, a, c, c, above) : 0;
+          s.work.face_force[a][c] = face_force(s, a, x, time, below / e[b] + above / e[c]) + pushed;
         }
   for (const BoundaryFace& f : s.boundary)
-    s.work.face_force[f.axis][f.face] = face_force(s, f.axis, f.place, time, 1 / e[f.cell]) + pushed(f.axis, f.cell);
+    s.work.face_force[f.axis][f.face] = face_force(s, f.axis, f.place, time, 1 / e[f.cell]) +
+                                        (pushes ? s.load.push[f.axis][f.cell] / s.felt()[f.cell] : 0);
+  find_push_shift(s);
   if (s.settings.buoyant()) add_buoyancy(s);
 }
 
@@ -118,7 +122,8 @@ FluidLoad make_load(const Mesh& m, const FluidSettings& k) {
   if (k.loaded || k.drag) load.drag = m.make_field();
   if (k.loaded || (k.drag && (k.drag_velocity[0] || k.drag_velocity[1] || k.drag_velocity[2])))
     load.push = m.make_vector();
-  if (k.loaded) load.gradient = m.make_vector();
+  if (k.loaded)
+    for (VectorField* v : {&load.gradient, &load.solids, &load.passed}) *v = m.make_vector();
   return load;
 }
 
@@ -175,6 +180,11 @@ FluidSolver::FluidSolver(const FluidRegion& r, FluidSettings k, const Ranks& pro
   load = make_load(mesh, settings);
   if (!load.drag.empty())
     for (VectorField* v : {&work.share, &work.drag_shift, &work.drag_shift_now}) *v = mesh.make_vector();
+  if (settings.loaded)
+    for (VectorField* v :
+         {&state.solids_passed, &state.solids_flux, &state.solids_flux_old, &state.solids_beyond,
+          &state.solids_beyond_old, &work.solids_flux_older, &work.solids_beyond_older, &work.push_shift})
+      *v = mesh.make_vector();
   if (has_forces(settings) || !load.push[0].empty()) work.face_force = mesh.make_vector();
   if (!plain()) work.passage = mesh.make_vector();
   make_viscosity(*this);
@@ -203,6 +213,7 @@ void set_velocity(FluidSolver& s, const std::array<PlaceFormula, 3>& velocity) {
         }
   for (const BoundaryFace& f : s.boundary)
     if (gives_pressure(f)) s.state.flux[f.axis][f.face] = e[f.cell] * f.area * u[f.axis][f.cell];
+  begin_solids(s);
   refresh(s);
   open_books(s);
   open_energy(s);
@@ -210,6 +221,7 @@ void set_velocity(FluidSolver& s, const std::array<PlaceFormula, 3>& velocity) {
 }
 
 void refresh(FluidSolver& s) {
+  renew_solids(s);
   evaluate_drag(s, s.state.time);
   set_boundary(s, s.state.time);
   set_scalar_boundary(s, s.state.time);
@@ -232,6 +244,7 @@ StepReport advance(FluidSolver& s, double dt) {
     std::swap(st.fraction_old, st.fraction);
     evaluate_fraction(s, time);
   }
+  take_solids(s, bdf);
   evaluate_drag(s, time);
   set_boundary(s, time);
   set_scalar_boundary(s, time);
