@@ -107,6 +107,22 @@ class Coupled(Ranks):
             numpy.testing.assert_allclose(self.fraction(name, 1), self.fraction("whole", 1), atol=1e-6)
             self.assertLess(shared["ledger"]["coupling_error"], 1e-12 * 9.81 * 3e-4 * 0.02)
 
+    def test_all_forces(self):
+        forces = ("drag = 'holzer_sommerfeld'\nsaffman = true\nmagnus = true\nadded_mass = true\nviscous_stress = true\n"
+                  "pitching_torque = 'on'\nviscous_torque = 'on'\n")
+        self.case.write_text(BED.replace("subcycles = 9\n", "subcycles = 9\n" + forces).replace("0.0102", "0.0031"))
+        short = ("--set", "simulation.end=0.006")
+        whole = self.run_case("whole", "--threads", "1", *short)
+        self.assertEqual(whole["status"], "finished")
+        self.assertLess(whole["ledger"]["coupling_error"], 1e-12 * 9.81 * 3e-4 * 0.006)
+        self.run_case("pieces", "--until", "0.0031", "--threads", "2", *short)
+        pieces = self.run_case("pieces", "--restart", "latest", "--threads", "2")
+        self.assertEqual((pieces["state_hash"], pieces["fluid_hash"]), (whole["state_hash"], whole["fluid_hash"]))
+        shared = self.run_case("on2", "--threads", "1", *short, ranks=2)
+        self.assertEqual(shared["status"], "finished")
+        numpy.testing.assert_allclose(self.fraction("on2", 1), self.fraction("whole", 1), atol=1e-6)
+        self.assertLess(shared["ledger"]["coupling_error"], 1e-12 * 9.81 * 3e-4 * 0.006)
+
 
 if __name__ == "__main__":
     unittest.main()

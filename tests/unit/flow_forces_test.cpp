@@ -155,5 +155,34 @@ TEST(FlowForces, ViscousTorqueOnASphereRelaxesIt) {
   EXPECT_NEAR(p.spin.row(0)[lane::sz] / radius, -2.5, 1e-12);
 }
 
+/// A flow that speeds up takes a sphere along with (1 + C)/(s + C) of its acceleration, C = 1/2: its pressure, and the
+/// added mass.
+TEST(FlowForces, AFlowThatSpeedsUpTakesASphereAlong) {
+  for (const double ratio : {0.1, 1.0, 8.0}) {
+    Particles p;
+    p.resize(1);
+    const double volume = sphere_volume(2 * radius);
+    p.motion.row(0)[lane::radius] = radius;
+    p.motion.row(0)[lane::inverse_mass] = 1 / (1000 * ratio * volume);
+    Fields f;
+    f.density = 1000;
+    f.flow = FlowKind::expression;
+    const std::vector<std::string> variables = {"x", "y", "z", "t"};
+    f.velocity = {Expression("3 * t * (1 + 100 * x)", variables), Expression("0", variables),
+                  Expression("2", variables)};
+    f.interval = 1e-4;
+    f.drag = SC_DRAG_OF_FIELD;
+    f.forces.added_mass = f.forces.carried = true;
+    know_shapes(f.forces, {});
+    Buffer<sc_field> field;
+    evaluate(f, p, 0.5, SweepKernels{}, field);
+    // Of Du/Dt the change in time is 3, what the flow carries along 1.5 * 150.
+    const double expected = (3 + 225) * 1.5 / (ratio + 0.5);
+    EXPECT_NEAR(field[0].acceleration.x / (1 + field[0].added_mass), expected, 1e-6 * expected);
+    EXPECT_NEAR(field[0].added_mass, 0.5 / ratio, 1e-12 / ratio);
+    EXPECT_EQ(field[0].acceleration.z, 0);
+  }
+}
+
 }  // namespace
 }  // namespace scree

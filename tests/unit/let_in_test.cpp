@@ -29,7 +29,7 @@ TEST(LetIn, TheVelocityIsThatOfTheSample) {
     m[lane::inverse_mass] = 1 / mass;
     p.mass[0] = mass;
     p.spin.row(0)[lane::inverse_radius] = 1 / radius;
-    const sc_field field{{1, 2, 3}, {0.5, 0.5, 0.5}, 0};
+    const sc_field field{{1, 2, 3}, {0.5, 0.5, 0.5}, 0, 0};
     Passage passage;
     Domain domain{{-1, -1, -1}, {1, 1, 1}, {}};
     let_in(p, domain, moment, &field, passage);

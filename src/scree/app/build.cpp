@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "scree/app/build_exchange.h"
+#include "scree/app/build_forces.h"
 #include "scree/app/build_materials.h"
 #include "scree/app/build_particles.h"
 #include "scree/app/build_walls.h"
@@ -39,8 +40,9 @@ void build_flow(const FlowKeys& k, Fields& f) {
   f.shear_origin = k.shear_origin;
   if (f.flow == FlowKind::expression) f.velocity = formulas(k.expression, place_and_time);
   f.drag = f.flow == FlowKind::none ? SC_DRAG_NONE : drag_law(k.drag);
-  f.forces = f.flow == FlowKind::none ? FluidForces{} : body_forces(body_drag_law(k.drag));
-  if (f.forces.body_drag != 0) f.drag = SC_DRAG_OF_FIELD;
+  f.forces = f.flow == FlowKind::none ? FluidForces{} : build_forces(k.drag, k);
+  f.forces.carried = f.flow != FlowKind::none && k.pressure_force;
+  if (f.forces.push()) f.drag = SC_DRAG_OF_FIELD;
   f.density = k.density;
   f.viscosity = k.viscosity;
   f.buoyancy = f.flow != FlowKind::none && k.buoyancy && f.body == BodyForce::uniform;

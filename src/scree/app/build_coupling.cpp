@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "scree/app/build_fluid.h"
+#include "scree/app/build_forces.h"
 #include "scree/app/derived.h"
-#include "scree/app/models.h"
 #include "scree/input/located.h"
 
 namespace scree {
@@ -43,18 +43,20 @@ CouplingSettings build_coupling_settings(const Case& c, const std::vector<BodyKi
   s.step = particle_step;
   const double fitting = std::floor(fluid_step(c, region, kinds) / particle_step * (1 + 1e-9));
   s.subcycles = static_cast<int>(k.subcycles > 0 ? static_cast<double>(k.subcycles) : std::clamp(fitting, 1.0, 1e6));
-  s.drag = drag_law(k.drag);
+  s.forces = build_forces(k.drag, k);
   double largest = 0;
   for (const BodyKind& kind : kinds) largest = std::max(largest, kind.largest);
   s.diffusion = k.diffusion.value_or(narrowest(region.grid) < wide * largest ? diffused * largest : 0);
   s.least_fraction = k.least_void_fraction;
   s.pressure = k.pressure_force;
+  s.viscous_stress = k.viscous_stress;
   return s;
 }
 
 FluidSettings build_loaded_fluid(const Case& c) {
   FluidSettings s = build_fluid_settings(c);
   s.loaded = s.moving_void_fraction = true;
+  s.whole_friction = c.coupling.viscous_stress;
   return s;
 }
 

@@ -80,7 +80,7 @@ void Simulation::restore(const Archive& archive) {
   tally_ = {archive.integer("contact_evaluations"), archive.integer("wall_contact_evaluations"),
             archive.integer("impacts"), archive.integer("impact_speed")};
   system_.forms = forms_of(archive);
-  know_shapes(fields_, system_.forms);
+  know_shapes(fields_.forces, system_.forms);
   if (system_.vertices) {
     for (std::size_t i = 1; i < system_.forms.size(); ++i) system_.forms[i].shape.is_sphere = 0;
     system_.vertices = make_vertices(system_.forms, system_.vertices->side, system_.vertices->spacing);

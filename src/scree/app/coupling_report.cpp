@@ -9,15 +9,20 @@
 #include "scree/app/build_coupling.h"
 #include "scree/app/build_fluid.h"
 #include "scree/app/models.h"
+#include "scree/data/form_surface.h"
+#include "scree/particles/sizes.h"
 #include "scree/physics/drag/crowded.h"
 
 namespace scree {
 namespace {
 
-constexpr double packed = 0.4;  // void fraction that drag is estimated at
-constexpr double stiff = 1;     // fluid steps in a relaxation time
-constexpr int few_cells = 3;    // across a domain
-constexpr double narrow = 2;    // diameters of a cell without diffusion
+constexpr double packed = 0.4;                            // void fraction that drag is estimated at
+constexpr double stiff = 1;                               // fluid steps in a relaxation time
+constexpr int few_cells = 3;                              // across a domain
+constexpr double narrow = 2;                              // diameters of a cell without diffusion
+constexpr double few_solids = 0.01;                       // of the domain: each particle is alone
+constexpr double most_saffman = 100, most_magnus = 1000;  // Reynolds numbers
+constexpr double light = 0.5;                             // density over that of the fluid that asks for the added mass
 
 std::string grid_text(const Grid& g) {
   double least = INFINITY, most = 0;
@@ -29,36 +34,101 @@ std::string grid_text(const Grid& g) {
   return fmt::format("{} x {} x {} cells of {:.3g} to {:.3g} m", g.cells(0), g.cells(1), g.cells(2), least, most);
 }
 
-/// The speed between the particles that the case gives, and a free fall's where it gives none [m/s].
-double slip_of(const Case& c, const FluidRegion& region, const BodyKind& kind) {
-  const double given = given_speed(c, region) / packed;
-  if (given > 0) return given;
-  const Vec3& g = c.gravity.acceleration;
-  return std::sqrt(std::hypot(g[0], g[1], g[2]) * kind.largest);
+/// The void fraction that particles are expected to have around them: that of a bed, or where they are too few for one
+/// the mean of the domain.
+double expected_voidage(const Derived& derived) {
+  return derived.cost.solid_fraction < few_solids ? 1 - derived.cost.solid_fraction : packed;
 }
 
-void say_kind(const Case& c, const CouplingSettings& s, const FluidRegion& region, const BodyKind& kind,
+/// Drag over slip of the smallest body of a kind [kg/s].
+double drag_of(const Case& c, const CouplingSettings& s, const BodyKind& kind, double voidage, double slip) {
+  const double d = kind.smallest, density = c.fluid.density, viscosity = c.fluid.viscosity;
+  if (s.forces.body_drag == 0) return sc_crowded_drag(s.forces.drag, voidage, slip, d, density, viscosity);
+  // By shape: as a sphere, which is near enough for a time.
+  return sc_crowded_drag(SC_DRAG_DI_FELICE, voidage, slip, d, density, viscosity);
+}
+
+/// The speed between the particles that the case gives, and where it gives none that at which a body falls or rises
+/// [m/s].
+double slip_of(const Case& c, const CouplingSettings& s, const FluidRegion& region, const BodyKind& kind,
+               double voidage) {
+  const double given = given_speed(c, region) / voidage;
+  if (given > 0) return given;
+  const Vec3& g = c.gravity.acceleration;
+  const double weight =
+      std::abs(kind.density - c.fluid.density) * sphere_volume(kind.smallest) * std::hypot(g[0], g[1], g[2]);
+  double low = 1e-12, high = 1e6;
+  while (weight > 0 && high > low * 1.001) {
+    const double middle = std::sqrt(low * high);
+    (drag_of(c, s, kind, voidage, middle) * middle < weight ? low : high) = middle;
+  }
+  return low;
+}
+
+double sphericity_of(const Case& c, const BodyKind& kind) {
+  const ParticleKeys& keys = c.particles[kind.group];
+  if (keys.shape == "sphere" || keys.insert == "checkpoint") return 1;
+  const Form form = make_form(keys.shape, keys.half_axes, keys.exponents[0], keys.exponents[1]);
+  return sphericity(sphere_volume(2 * form.equivalent_radius), surface_of(form));
+}
+
+/// Where the law of drag by shape has been measured.
+std::string beyond_shapes(const Case& c, const CouplingSettings& s, const BodyKind& kind, double reynolds) {
+  const sc_body_range range = sc_range_of_body_drag(s.forces.body_drag);
+  const double roundness = sphericity_of(c, kind);
+  if (roundness < range.least_sphericity)
+    return fmt::format("coupling.drag = '{}' is for a sphericity above {:.3g}, '{}' has {:.3g}", c.coupling.drag,
+                       range.least_sphericity, kind.name, roundness);
+  if (reynolds > range.most_reynolds || reynolds < range.least_reynolds)
+    return fmt::format("coupling.drag = '{}' is for Reynolds numbers from {:.3g} to {:.3g}", c.coupling.drag,
+                       range.least_reynolds, range.most_reynolds);
+  return "";
+}
+
+/// Where the law of drag of spheres has been measured.
+std::string beyond_spheres(const Case& c, const CouplingSettings& s, double voidage, double reynolds) {
+  const sc_drag_range range = sc_range_of_drag(s.forces.drag);
+  if (reynolds > range.most_reynolds)
+    return fmt::format("coupling.drag = '{}' has been measured up to {:.3g}", c.coupling.drag, range.most_reynolds);
+  if (voidage < range.least_voidage)
+    return fmt::format("coupling.drag = '{}' is for void fractions above {:.3g}", c.coupling.drag, range.least_voidage);
+  if (voidage > range.most_voidage)
+    return fmt::format("coupling.drag = '{}' is for void fractions below {:.3g}", c.coupling.drag, range.most_voidage);
+  return "";
+}
+
+/// Lifts have ranges of their own, and what is light needs the added mass.
+void say_forces(const Case& c, const CouplingSettings& s, const BodyKind& kind, double reynolds,
+                std::vector<CouplingNote>& notes) {
+  if (s.forces.saffman && reynolds > most_saffman)
+    notes.push_back({"", "Saffman's lift",
+                     fmt::format("coupling.saffman has been measured up to Reynolds numbers of {:.3g}", most_saffman)});
+  if (s.forces.magnus && reynolds > most_magnus)
+    notes.push_back({"", "Magnus' lift",
+                     fmt::format("coupling.magnus has been measured up to Reynolds numbers of {:.3g}", most_magnus)});
+  if (!s.forces.added_mass && kind.density < light * c.fluid.density)
+    notes.push_back(
+        {"", fmt::format("density {:.3g} of that of the fluid", kind.density / c.fluid.density),
+         "so light particles are unstable without the fluid that they push aside: coupling.added_mass = true"});
+}
+
+void say_kind(const Case& c, const CouplingSettings& s, const FluidRegion& region, const BodyKind& kind, double voidage,
               std::vector<CouplingNote>& notes) {
-  const double d = kind.smallest, slip = slip_of(c, region, kind);
+  const double d = kind.smallest, slip = slip_of(c, s, region, kind, voidage);
   const double mass = kind.density * std::numbers::pi / 6 * d * d * d;
-  const double kappa = sc_crowded_drag(s.drag, packed, slip, d, c.fluid.density, c.fluid.viscosity);
+  const double kappa = drag_of(c, s, kind, voidage, slip);
   const double number = kappa * s.fluid_step() / mass;
   notes.push_back({fmt::format("drag of '{}'", kind.name),
                    fmt::format("at void fraction {} and {:.3g} m/s it relaxes in {:.3g} s, {:.3g} steps of the fluid",
-                               packed, slip, mass / kappa, 1 / number),
+                               voidage, slip, mass / kappa, 1 / number),
                    number > stiff ? "the drag is stiffer than the fluid's step is short: a smaller fluid.time_step or "
                                     "coupling.subcycles"
                                   : ""});
-  const sc_drag_range range = sc_range_of_drag(s.drag);
-  const double reynolds = c.fluid.density * packed * slip * kind.largest / c.fluid.viscosity;
-  const bool beyond = reynolds > range.most_reynolds;
-  const bool crowded = packed < range.least_voidage;
+  const double reynolds = c.fluid.density * voidage * slip * kind.largest / c.fluid.viscosity;
   notes.push_back(
       {"", fmt::format("Reynolds number {:.3g} of the flow before the particles", reynolds),
-       beyond ? fmt::format("coupling.drag = '{}' has been measured up to {:.3g}", c.coupling.drag, range.most_reynolds)
-       : crowded ? fmt::format("coupling.drag = '{}' is for void fractions above {:.3g}", c.coupling.drag,
-                               range.least_voidage)
-                 : ""});
+       s.forces.body_drag != 0 ? beyond_shapes(c, s, kind, reynolds) : beyond_spheres(c, s, voidage, reynolds)});
+  say_forces(c, s, kind, reynolds, notes);
 }
 
 }  // namespace
@@ -90,7 +160,8 @@ std::vector<CouplingNote> coupling_notes(const Case& c, const Derived& derived) 
          s.diffusion == 0 && least < narrow * largest ? "cells this narrow need diffusion: remove coupling.diffusion"
                                                       : ""});
   for (const BodyKind& kind : derived.kinds)
-    if (s.drag != SC_DRAG_NONE && kind.smallest > 0) say_kind(c, s, region, kind, notes);
+    if ((s.forces.drag != SC_DRAG_NONE || s.forces.body_drag != 0) && kind.smallest > 0)
+      say_kind(c, s, region, kind, expected_voidage(derived), notes);
   return notes;
 }
 

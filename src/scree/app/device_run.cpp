@@ -4,6 +4,8 @@
 
 #include <charconv>
 
+#include "scree/app/build_forces.h"
+#include "scree/app/build_forces.h"
 #include "scree/base/error.h"
 #include "scree/input/located.h"
 
@@ -76,6 +78,9 @@ void refuse_on_device(const Case& c) {
   if (c.flow.buoyancy) refuse(c, "flow.buoyancy", "buoyancy is");
   if (c.flow.drag != "none" && c.flow.drag != "stokes" && c.flow.drag != "schiller_naumann")
     refuse(c, "flow.drag", "drag by shape is");
+  const FluidForces forces = build_forces(c.flow.drag, c.flow);
+  if (forces.push() || forces.turn() || c.flow.pressure_force)
+    refuse(c, "flow.type", "forces of a flow besides the drag of spheres are");
   if (!c.analysis.planes.empty()) refuse(c, "analysis.planes.0.point", "counting planes are");
 }
 

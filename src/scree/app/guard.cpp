@@ -33,6 +33,15 @@ int axis_left(const ParticleSystem& s, std::size_t i) {
   return -1;
 }
 
+/// The periodic axis along which a particle is outside the domain even after it was wrapped; -1 without one.
+int axis_overrun(const ParticleSystem& s, std::size_t i) {
+  for (int k = 0; k < 3; ++k) {
+    const double x = s.particles.motion.row(i)[k];
+    if (s.domain.periodic[k] && !(x >= s.domain.low(k) && x < s.domain.high(k))) return k;
+  }
+  return -1;
+}
+
 /// The row of the lowest id among those of which `is_astray` is true; empty without one.
 template <class IsAstray>
 std::optional<std::size_t> lowest(const Particles& p, IsAstray&& is_astray) {
@@ -60,6 +69,11 @@ std::optional<std::size_t> lowest_lost(const ParticleSystem& s) {
 }
 
 [[noreturn]] void report_lost(const ParticleSystem& s, double time) {
+  if (const auto i = lowest(s.particles, [&](std::size_t row) { return axis_overrun(s, row) >= 0; }))
+    throw PhysicsError(
+        fmt::format("t = {:.9g} s: {} has gone further than a whole period along {} in a step. The time step is too "
+                    "long for the forces: see `scree check`",
+                    time, place_of(s.particles, *i), "xyz"[axis_overrun(s, *i)]));
   if (const auto i = lowest_lost(s)) {
     const int k = axis_left(s, *i);
     throw PhysicsError(

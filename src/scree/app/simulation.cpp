@@ -15,6 +15,7 @@
 #include "scree/app/guard.h"
 #include "scree/app/models.h"
 #include "scree/app/take_over.h"
+#include "scree/coupling/forces.h"
 
 namespace scree {
 Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const Ranks& ranks,
@@ -31,7 +32,7 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const R
   motions_ = build_wall_motions(c, system_.walls, system_.domain);
   findings_.fastest2 = fastest_square(system_.particles);
   lists_ = prepare_lists(system_, c.simulation.skin);
-  know_shapes(fields_, system_.forms);
+  know_shapes(fields_.forces, system_.forms);
   std::optional<Particles> saved;
   // What there is at all only all particles tell; where sizes matter, every rank has read them all.
   if (resumed) saved = particles_of(*resumed, takes_over(c) ? Ranks() : ranks);
@@ -41,9 +42,10 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const R
   if (couples(c)) {
     coupling_ = std::make_unique<FluidCoupling>(build_fluid_region(c), build_loaded_fluid(c),
                                                 build_coupling_settings(c, kinds, clock_.dt), system_.forms, ranks);
-    system_.particles.couple();
+    system_.particles.couple(coupling_->settings.forces.turn());
     fields_.drag = SC_DRAG_OF_FIELD;
   }
+  fields_.interval = clock_.dt;
   typical_impact_ = scree::typical_impact(c, system_.materials, kinds);
   sample_.with_contact_forces = whole_sample_.with_contact_forces = c.output.contacts || !c.analysis.averages.empty();
   for (const RegionKeys& keys : c.analysis.regions) regions_.push_back({keys.min, keys.max});
@@ -138,7 +140,10 @@ void Simulation::evaluate_own_fields(double time) {
 /// Contacts, kick and drift in one pass: each tile of particles passes through the cache once.
 void Simulation::advance_particles() {
   evaluate_own_fields(clock_.now());
-  turn_by_flow(fields_, system_.particles, clock_.now(), move_now().kick);
+  if (coupling_)
+    turn_by_stream(*coupling_, system_.particles, move_now().kick);
+  else
+    turn_by_flow(fields_, system_.particles, clock_.now(), move_now().kick);
   const Stopwatch watch(stages_, "contacts and motion");
   const sc_field* field = fields_matter() ? field_.data() : nullptr;
   const SweepView view = view_of(system_, lists_, move_now(), contact_time_now(), field);

@@ -7,9 +7,9 @@
 #include "scree/base/exact_sum.h"
 #include "scree/compute/launch.h"
 #include "scree/coupling/crowding.h"
+#include "scree/coupling/forces.h"
 #include "scree/coupling/passage.h"
 #include "scree/fluid/halo.h"
-#include "scree/physics/drag/crowded.h"
 #include "scree/physics/math.h"
 #include "scree/physics/vec.h"
 
@@ -26,19 +26,21 @@ double volume_of(const Particles& p, std::size_t i) {
 /// What the particles say to the fluid in a step, and what is known of them on the way.
 struct Exchanged {
   Quantity volume{{}, 1, 1}, motion{{}, 3, 1}, drag{{}, 1, 1}, push{{}, 3, 1}, surplus{{}, 3, 1};
-  std::vector<double> kappa;  // of each particle [kg/s]
-  Vector returned{};          // in the cells of this rank [N s]
+  std::vector<double> kappa;   // of each particle [kg/s]
+  std::vector<double> lift;    // of each particle, three numbers: forces that go with the slip as drag does [N]
+  std::vector<double> rubbed;  // the same, by friction within the fluid [N]
+  Vector returned{};           // in the cells of this rank [N s]
   CellBox box;
   std::int64_t count = 0;  // of particles on all ranks
 };
 
 /// The impulse of the fluid on a particle since its last step [N s]. One that forces of others hold or move as
-/// prescribed has received what was promised: whoever holds it pays for it.
+/// prescribed has received what was promised, and what the fluid does that goes along: whoever holds it pays for it.
 Vector received(const Particles& p, std::size_t i) {
-  const double *drag = p.drag_impulse.row(i), *pull = p.pull.row(i), *promised = p.expected.row(i);
-  if (p.motion.row(i)[lane::inverse_mass] == 0) return {promised[0], promised[1], promised[2]};
-  const double acted = p.mass[i] * drag[3];
-  return {drag[0] + acted * pull[0], drag[1] + acted * pull[1], drag[2] + acted * pull[2]};
+  const bool held = p.motion.row(i)[lane::inverse_mass] == 0;
+  const double *got = held ? p.expected.row(i) : p.drag_impulse.row(i), *pull = p.pull.row(i);
+  const double acted = p.mass[i] * p.drag_impulse.row(i)[3];
+  return {got[0] + acted * pull[0], got[1] + acted * pull[1], got[2] + acted * pull[2]};
 }
 
 /// What each particle has received beyond what the fluid has counted on, into `surplus`; and which part of its drag at
@@ -48,15 +50,15 @@ void take_stock(const FluidCoupling& c, Particles& p, Quantity& surplus) {
   surplus.values.resize(3 * p.size());
   launch(p.size(), [&](std::size_t i) {
     const Vector got = received(p, i);
-    const double *drag = p.drag_impulse.row(i), *pull = p.pull.row(i);
+    const double *drag = p.drag_impulse.row(i), *stream = p.stream.row(i), *before = p.before.row(i);
+    const double* v = p.motion.row(i) + lane::vx;
     double* promised = p.expected.row(i);
     for (int a = 0; a < 3; ++a) surplus.values[3 * i + a] = got[a] - promised[a];
-    // Promised of drag was share * rate * mass * slip at the start * dt.
+    // What drag has done, without the force that the added mass takes; and what it would have by the slip at the start.
     double along = 0, full = 0;
     for (int a = 0; a < 3; ++a) {
-      const double counted = promised[a] - p.mass[i] * pull[a] * dt;
-      const double at_start = promised[3] > 0 ? counted / promised[3] : 0;
-      along += drag[a] * at_start;
+      const double at_start = p.mass[i] * stream[3] * dt * (stream[a] - before[a]);
+      along += (drag[a] + p.mass[i] * before[3] * (v[a] - before[a])) * at_start;
       full += at_start * at_start;
     }
     promised[3] = full > 0 ? along / full : 0;
@@ -164,24 +166,45 @@ std::vector<double> meet(FluidCoupling& c, const Particles& p, const CellBox& bo
   return out;
 }
 
-/// The drag of every particle at the start of the step, and what the fluid counts on of it.
+void put(sc_vec from, double* to) { to[0] = from.x, to[1] = from.y, to[2] = from.z; }
+
+/// What turns particles until the fluid's next step.
+void note_gradient(const FluidThere& there, double* to) {
+  put(there.gradient.x, to);
+  put(there.gradient.y, to + 3);
+  put(there.gradient.z, to + 6);
+  to[9] = there.voidage;
+}
+
+/// Drag and lift of every particle at the start of the step, and what the fluid counts on of it.
 void find_drag(FluidCoupling& c, Particles& p, Exchanged& x) {
-  const std::vector<double> met = meet(c, p, x.box, {&c.fluid.state.velocity}, true);
-  const FluidSettings& f = c.fluid.settings;
+  const StreamFields fields = find_stream(c);
+  const std::vector<double> met = meet(c, p, x.box, fields.with(c.fluid.state.velocity), true);
+  const std::size_t width = static_cast<std::size_t>(fields.width());
   x.kappa.resize(p.size());
+  x.lift.resize(3 * p.size());
+  x.rubbed.resize(3 * p.size());
   x.drag.values.resize(p.size());
   x.push.values.resize(3 * p.size());
   launch(p.size(), [&](std::size_t i) {
     const double* v = p.motion.row(i) + lane::vx;
-    const double* u = &met[4 * i];
-    const double slip = sc_norm(sc_make_vec(u[0] - v[0], u[1] - v[1], u[2] - v[2]));
-    x.kappa[i] = sc_crowded_drag(c.settings.drag, u[3], slip, 2 * p.radius_by_volume(i), f.density, f.viscosity);
+    const FluidThere there = stream_there(c, fields, &met[width * i]);
+    const FluidPush push = push_of_fluid(c.settings.forces, p, i, there);
+    x.kappa[i] = push.drag;
+    put(push.force, &x.lift[3 * i]);
+    put(sc_scale(x.volume.values[i], friction_there(fields, &met[width * i])), &x.rubbed[3 * i]);
+    if (p.turned()) note_gradient(there, p.gradient.row(i));
+    double* before = p.before.row(i);
+    std::copy_n(v, 3, before);
+    before[3] = added_mass_of(c.settings.forces, p, i, there) / p.mass[i];
+    const double heavy = p.mass[i] * (1 + before[3]);
     // Free of other forces a particle keeps so much of its slip in the mean; one that is held keeps all.
     double& share = p.expected.row(i)[3];
     const bool held = p.motion.row(i)[lane::inverse_mass] == 0;
-    share = held ? 1 : std::clamp(share, sc_phi1(x.kappa[i] / p.mass[i] * c.settings.fluid_step()), 1.0);
+    share = held ? 1 : std::clamp(share, sc_phi1(x.kappa[i] / heavy * c.settings.fluid_step()), 1.0);
     x.drag.values[i] = share * x.kappa[i];
-    for (int a = 0; a < 3; ++a) x.push.values[3 * i + a] = x.drag.values[i] * v[a];
+    for (int a = 0; a < 3; ++a)
+      x.push.values[3 * i + a] = x.drag.values[i] * v[a] - share * x.lift[3 * i + a] - x.rubbed[3 * i + a];
   });
 }
 
@@ -231,16 +254,28 @@ Vector given_away(const FluidCoupling& c) {
 
 /// Tells every particle what it will meet and what the fluid counts on.
 void promise(FluidCoupling& c, Particles& p, const Exchanged& x) {
-  const std::vector<double> met = meet(c, p, x.box, {&c.fluid.state.velocity, &c.fluid.load.gradient}, false);
+  std::vector<const VectorField*> vectors = {&c.fluid.state.velocity, &c.fluid.load.gradient};
+  VectorField acceleration;
+  if (c.settings.forces.added_mass) {
+    acceleration = c.fluid.mesh.make_vector();
+    find_acceleration(c.fluid, acceleration);
+    vectors.push_back(&acceleration);
+  }
+  const std::vector<double> met = meet(c, p, x.box, vectors, false);
+  const std::size_t width = 3 * vectors.size();
   const double dt = c.settings.fluid_step();
   launch(p.size(), [&](std::size_t i) {
-    const double *u = &met[6 * i], *gradient = u + 3, *m = p.motion.row(i);
+    const double *u = &met[width * i], *gradient = u + 3, *m = p.motion.row(i);
     double *stream = p.stream.row(i), *pull = p.pull.row(i), *promised = p.expected.row(i);
     const double by_pressure = c.settings.pressure ? -x.volume.values[i] : 0;
+    const bool held = m[lane::inverse_mass] == 0;
     for (int a = 0; a < 3; ++a) {
+      const double lift = x.lift[3 * i + a], steady = by_pressure * gradient[a] + x.rubbed[3 * i + a];
       stream[a] = u[a];
-      pull[a] = by_pressure * gradient[a] / p.mass[i];
-      promised[a] = dt * (x.drag.values[i] * (u[a] - m[lane::vx + a]) + by_pressure * gradient[a]);
+      promised[a] = dt * (x.drag.values[i] * (u[a] - m[lane::vx + a]) + promised[3] * lift + steady);
+      // One that is held does not move by what it has been promised; what goes along is promised to none.
+      pull[a] = held ? 0 : (steady + lift) / p.mass[i];
+      if (width > 6) pull[a] += p.before.row(i)[3] * u[6 + a];
     }
     stream[3] = x.kappa[i] / p.mass[i];
     std::fill_n(p.drag_impulse.row(i), 4, 0.0);
@@ -277,6 +312,7 @@ FluidCoupling::FluidCoupling(const FluidRegion& region, FluidSettings k, const C
       surpluses(fluid.mesh.make_field()),
       amounts(fluid.mesh.make_vector()),
       densities(fluid.mesh.make_vector()) {
+  know_shapes(settings.forces, forms);
   if (settings.diffusion > 0) diffusion = make_diffusion(fluid.mesh, fluid.ranks, settings.diffusion);
 }
 

@@ -10,16 +10,18 @@
 #include "scree/coupling/diffusion.h"
 #include "scree/coupling/spread.h"
 #include "scree/fluid/solver.h"
+#include "scree/particles/fluid_forces.h"
 
 namespace scree {
 
 struct CouplingSettings {
-  int subcycles = 1;          // steps of the particles in one of the fluid
-  double step = 0;            // of the particles [s]
-  int drag = 0;               // SC_DRAG_...
-  double diffusion = 0;       // width of what particles spread [m]; 0: none
-  double least_fraction = 0;  // of a cell's volume that is fluid, below which solids go to its neighbours
-  bool pressure = true;       // particles feel the pressure gradient of the fluid
+  int subcycles = 1;            // steps of the particles in one of the fluid
+  double step = 0;              // of the particles [s]
+  FluidForces forces;           // drag, and what acts besides
+  double diffusion = 0;         // width of what particles spread [m]; 0: none
+  double least_fraction = 0;    // of a cell's volume that is fluid, below which solids go to its neighbours
+  bool pressure = true;         // particles feel the pressure gradient of the fluid
+  bool viscous_stress = false;  // and its friction; the fluid's settings then have whole_friction
 
   double fluid_step() const { return subcycles * step; }
 };

@@ -49,14 +49,16 @@ void Particles::permute(const std::vector<std::uint32_t>& order) {
   ghosts_ = 0;
 }
 
-void Particles::couple() {
+void Particles::couple(bool with_turning) {
   coupled_ = true;
+  turned_ = with_turning;
   resize(size_);
 }
 
 Particles Particles::none_alike() const {
   Particles none(shaped_);
   none.coupled_ = coupled_;
+  none.turned_ = turned_;
   return none;
 }
 
@@ -71,6 +73,9 @@ void Particles::append(const Particles& others) {
   }
   if (coupled_ && others.coupled_) {
     SCREE_COUPLED_FIELDS(FIELD)
+  }
+  if (turned_ && others.turned_) {
+    SCREE_TURNED_FIELDS(FIELD)
   }
 #undef FIELD
 }

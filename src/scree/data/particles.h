@@ -44,13 +44,19 @@ enum class Travels { always, with_lists, on_migration };
 
 // Only where particles and a fluid that is solved for act on each other: what the fluid has said at its last step, and
 // what has come of it since.
-#define SCREE_COUPLED_FIELDS(FIELD)                                                                                  \
-  FIELD(stream, double, 4, on_migration, true, "velocity of the fluid x y z [m/s], rate of its drag [1/s]")          \
-  FIELD(pull, double, 4, on_migration, true, "acceleration by the fluid besides drag x y z [m/s2], unused")          \
-  FIELD(drag_impulse, double, 4, on_migration, true, "impulse of drag since x y z [N s], time it has acted [s]")     \
-  FIELD(expected, double, 4, on_migration, true, "impulse the fluid counts on x y z [N s], part of slip that stays") \
-  FIELD(met_at, double, 4, on_migration, true, "place at the fluid's last step x y z [m], 1 where there was one")    \
+#define SCREE_COUPLED_FIELDS(FIELD)                                                                                   \
+  FIELD(stream, double, 4, on_migration, true, "velocity of the fluid x y z [m/s], rate of its drag [1/s]")           \
+  FIELD(pull, double, 4, on_migration, true, "acceleration by the fluid besides drag x y z [m/s2], unused")           \
+  FIELD(drag_impulse, double, 4, on_migration, true, "impulse of drag since x y z [N s], time it has acted [s]")      \
+  FIELD(expected, double, 4, on_migration, true, "impulse the fluid counts on x y z [N s], part of slip that stays")  \
+  FIELD(before, double, 4, on_migration, true, "velocity at the fluid's last step x y z [m/s], added mass over mass") \
+  FIELD(met_at, double, 4, on_migration, true, "place at the fluid's last step x y z [m], 1 where there was one")     \
   FIELD(met_turned, double, 4, on_migration, true, "orientation then, quaternion w x y z")
+
+// Only where such a fluid turns particles.
+#define SCREE_TURNED_FIELDS(FIELD)                \
+  FIELD(gradient, double, 10, on_migration, true, \
+        "of the fluid's velocity, a row for each component [1/s], void fraction")
 
 /// One field: `components` values per particle, contiguous.
 template <class T, int Components>
@@ -85,6 +91,7 @@ class Particles {
   SCREE_PARTICLE_FIELDS(FIELD)
   SCREE_SHAPE_FIELDS(FIELD)
   SCREE_COUPLED_FIELDS(FIELD)
+  SCREE_TURNED_FIELDS(FIELD)
 #undef FIELD
 
   /// The particles that this rank moves.
@@ -102,8 +109,11 @@ class Particles {
   /// Whether the fields of a coupling with a fluid are there.
   bool coupled() const { return coupled_; }
 
-  /// Adds the fields of a coupling, all zero.
-  void couple();
+  /// Whether the fields of a coupling that turns particles are there.
+  bool turned() const { return turned_; }
+
+  /// Adds the fields of a coupling, all zero; `with_turning`: that turns particles, too.
+  void couple(bool with_turning);
 
   /// No particles, with the same fields.
   Particles none_alike() const;
@@ -140,6 +150,9 @@ class Particles {
     if (coupled_) {
       SCREE_COUPLED_FIELDS(FIELD)
     }
+    if (turned_) {
+      SCREE_TURNED_FIELDS(FIELD)
+    }
 #undef FIELD
   }
 
@@ -155,7 +168,7 @@ class Particles {
 
  private:
   std::size_t size_ = 0, ghosts_ = 0;
-  bool shaped_ = false, coupled_ = false;
+  bool shaped_ = false, coupled_ = false, turned_ = false;
 };
 
 /// The places of all particles in the order of their ids.

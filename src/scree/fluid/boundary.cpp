@@ -69,7 +69,7 @@ WallFriction wall_exchange(const BoundaryFace& f, double strength) {
 
 WallFriction wall_friction(const FluidSolver& s, const BoundaryFace& f, int component) {
   if (!holds(f, component)) return {};
-  return wall_exchange(f, s.felt()[f.cell] * f.viscosity * f.area);
+  return wall_exchange(f, s.rubbed()[f.cell] * f.viscosity * f.area);
 }
 
 double force_without_plate(const FluidSolver& s, const BoundaryFace& f) {

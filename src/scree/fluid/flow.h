@@ -66,6 +66,9 @@ struct FluidSettings {
   // must be set, the formulas of the three are not asked, and inlets give the volume that enters: velocities before
   // them.
   bool loaded = false;
+  // Whether friction acts by the whole viscosity, whatever part of the volume is fluid: who fills the rest takes its
+  // part of it by FluidLoad::push.
+  bool whole_friction = false;
   std::vector<PatchValues> patches;            // as those of the region
   double divergence_tolerance = 1e-8;          // error of volume in a step, over the volume of the cell
   double viscous_tolerance = 1e-8;             // error of the viscous solve over its first correction

@@ -25,7 +25,7 @@ double boundary_dissipation(const FluidSolver& s) {
   for (const BoundaryFace& f : s.boundary)
     for (int c = 0; c < 3; ++c)
       if (const double own = wall_friction(s, f, c).own; own > 0)
-        sum += s.felt()[f.cell] * f.viscosity * f.area / f.half * square(s.state.velocity[c][f.cell] - f.velocity[c]);
+        sum += s.rubbed()[f.cell] * f.viscosity * f.area / f.half * square(s.state.velocity[c][f.cell] - f.velocity[c]);
   return sum;
 }
 

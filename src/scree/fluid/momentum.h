@@ -5,9 +5,10 @@
 
 namespace scree {
 
-/// Viscosity times void fraction at the face between two cells, where `lower` is the weight of the cell `below`.
+/// Viscosity times the part that the fluid feels of friction, at the face between two cells, where `lower` is the
+/// weight of the cell `below`.
 inline double face_viscosity(const FluidSolver& s, std::int64_t c, std::int64_t below, double lower) {
-  return lower * s.felt()[below] * s.viscosity_of(below) + (1 - lower) * s.felt()[c] * s.viscosity_of(c);
+  return lower * s.rubbed()[below] * s.viscosity_of(below) + (1 - lower) * s.rubbed()[c] * s.viscosity_of(c);
 }
 
 /// The viscous coefficients of the faces, from the present void fraction.

@@ -58,7 +58,7 @@ struct FluidWork {
   Field correction;         // of the pressure in the last pass, times dt / (a0 density)
   VectorField conductance;  // their coefficients
   Field outlet_conductance;
-  Field whole;             // 1 everywhere; with model B only
+  Field whole;             // 1 everywhere; with model B or whole friction only
   VectorField face_force;  // force per volume over the void fraction at the faces; empty without forces
   VectorField passage;     // D a0 rho / dt of the faces, see projection.cpp; empty where all are as `open`
   VectorField share;       // of the flux that drag leaves; empty without drag
@@ -83,8 +83,11 @@ struct FluidSolver {
   /// Whether there is nothing in the flow: no void fraction, no drag.
   bool plain() const { return load.fraction.empty() && load.drag.empty(); }
 
-  /// The part of the pressure's gradient and of friction that acts on the fluid itself, for each cell.
+  /// The part of the pressure's gradient that acts on the fluid itself, for each cell.
   const Field& felt() const { return settings.model_b ? work.whole : state.fraction; }
+
+  /// The part of friction.
+  const Field& rubbed() const { return settings.model_b || settings.whole_friction ? work.whole : state.fraction; }
 
   /// Of a cell [Pa s].
   double viscosity_of(std::int64_t c) const { return work.viscosity.empty() ? settings.viscosity : work.viscosity[c]; }

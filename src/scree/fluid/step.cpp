@@ -173,7 +173,7 @@ FluidSolver::FluidSolver(const FluidRegion& r, FluidSettings k, const Ranks& pro
     std::fill(f->begin(), f->end(), 1.0);
   }
   for (int c = 0; c < (mesh.slips ? 3 : 1); ++c) work.viscous.per_diagonal[c] = mesh.make_field();
-  if (settings.model_b) {
+  if (settings.model_b || settings.whole_friction) {
     work.whole = mesh.make_field();
     std::fill(work.whole.begin(), work.whole.end(), 1.0);
   }

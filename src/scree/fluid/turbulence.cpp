@@ -7,6 +7,7 @@
 #include "scree/fluid/boundary.h"
 #include "scree/fluid/fields.h"
 #include "scree/fluid/halo.h"
+#include "scree/fluid/slopes.h"
 
 namespace scree {
 namespace {
@@ -110,18 +111,6 @@ class Filter {
   Field spare_, per_mean_;
 };
 
-/// The derivative of a velocity component in a cell, from its faces; a closed face has the velocity of the cell.
-double slope(const FluidSolver& s, int component, int axis, std::int64_t c, int at) {
-  const Mesh& m = s.mesh;
-  const Field& u = s.state.velocity[component];
-  const MeshAxis& x = m.axis[axis];
-  const std::int64_t st = m.stride[axis];
-  const int g = Mesh::ghosts + at;
-  const double below = m.open[axis][c] * x.lower_share[g] * (u[c - st] - u[c]);
-  const double above = m.open[axis][c + st] * (1 - x.lower_share[g + 1]) * (u[c + st] - u[c]);
-  return (above - below) * x.per_width[g];
-}
-
 /// The rate of strain less a third of its trace.
 void find_strain(const FluidSolver& s, Tensor& strain) {
   const Mesh& m = s.mesh;
@@ -134,7 +123,7 @@ void find_strain(const FluidSolver& s, Tensor& strain) {
   for (const BoundaryFace& f : s.boundary)
     for (int component = 0; component < 3; ++component) {
       if (!holds(f, component)) continue;
-      const double more = f.side * (f.velocity[component] - s.state.velocity[component][f.cell]) / (2 * f.half);
+      const double more = slope_at_wall(s, f, component);
       for (int p = 0; p < 6; ++p) {
         const int a = pairs[p][0], b = pairs[p][1];
         if (a == b && a == component && a == f.axis) strain[p][f.cell] += more;

@@ -46,18 +46,25 @@ struct GravityKeys {
   Vec3 angular_acceleration{};  // of the rotating frame [rad/s2]
 };
 
-struct FlowKeys {
-  std::string type = "none";  // none, still, uniform, taylor_green, shear, expression
-  std::string drag = "none";  // none, stokes, schiller_naumann
-  double density = 0;         // [kg/m3]
-  double viscosity = 0;       // dynamic [Pa s]
-  bool buoyancy = false;      // the fluid takes its part of the weight in uniform gravity
-  Vec3 velocity{};            // uniform [m/s]
-  double amplitude = 0;       // Taylor-Green A [m/s]
-  double wavenumber = 0;      // Taylor-Green a [1/m]
-  double shear_rate = 0;      // u_x = rate * (y - shear_origin) [1/s]
-  double shear_origin = 0;    // [m]
-  Expression3 expression;     // of x, y, z, t [m/s]
+/// What a fluid does to particles besides drag.
+struct FluidForceKeys {
+  std::string shape_lift = "auto", pitching_torque = "auto", viscous_torque = "auto";  // auto, on, off
+  bool saffman = false, magnus = false, added_mass = false;
+};
+
+struct FlowKeys : FluidForceKeys {
+  std::string type = "none";    // none, still, uniform, taylor_green, shear, expression
+  std::string drag = "none";    // none, stokes, schiller_naumann, and laws by shape
+  bool pressure_force = false;  // of the flow's acceleration
+  double density = 0;           // [kg/m3]
+  double viscosity = 0;         // dynamic [Pa s]
+  bool buoyancy = false;        // the fluid takes its part of the weight in uniform gravity
+  Vec3 velocity{};              // uniform [m/s]
+  double amplitude = 0;         // Taylor-Green A [m/s]
+  double wavenumber = 0;        // Taylor-Green a [1/m]
+  double shear_rate = 0;        // u_x = rate * (y - shear_origin) [1/s]
+  double shear_origin = 0;      // [m]
+  Expression3 expression;       // of x, y, z, t [m/s]
 };
 
 struct MaterialKeys {
@@ -306,12 +313,12 @@ struct VerifyKeys {
 };
 
 /// How particles and a fluid that is solved for act on each other.
-struct CouplingKeys {
+struct CouplingKeys : FluidForceKeys {
   std::string drag = "gidaspow_blend";  // the laws of app/models.h
   std::uint64_t subcycles = 0;          // 0: from both time steps
   std::optional<double> diffusion;      // width [m]; empty: three diameters where cells are under two
   double least_void_fraction = 0.2;
-  bool pressure_force = true;
+  bool pressure_force = true, viscous_stress = false;
 };
 
 struct CaseText;  // input/located.h

@@ -100,25 +100,58 @@ void check_insertion(const Check& check, std::size_t index) {
                "set flow.type   (scree explain flow.type)");
 }
 
-/// Drag by shape: Zastawny's coefficients are of two shapes, and hard collisions know no torque of a flow.
-void check_body_drag(const Check& check) {
-  const std::string& drag = check.c.flow.drag;
-  if (drag == "none" || drag == "stokes" || drag == "schiller_naumann" || !check.sound({"flow.drag", "particles"}))
-    return;
-  if (is_hard(check.c))
-    return check.fail("E164", "flow.drag", fmt::format("drag = '{}' does not go with hard collisions", drag),
-                      "it turns particles, too, and contact.collision is 'hard'",
-                      "choose contact.collision = 'soft', or drag = 'schiller_naumann'");
-  if (drag != "zastawny") return;
+/// Zastawny's coefficients are of two shapes.
+void check_zastawny(const Check& check, const std::string& table) {
   for (std::size_t i = 0; i < check.c.particles.size(); ++i) {
     const ParticleKeys& p = check.c.particles[i];
     const Vec3& a = p.half_axes;
     const bool round = p.shape == "ellipsoid" && std::abs(a[1] / a[0] - 1) < 1e-6;
     if (round && (std::abs(a[2] / a[0] - 2.5) < 1e-6 || std::abs(a[2] / a[0] - 1.25) < 1e-6)) continue;
-    return check.fail("E164", "flow.drag", "drag = 'zastawny' is for ellipsoids of 2:2:5 and of 4:4:5",
+    return check.fail("E164", table + ".drag", "drag = 'zastawny' is for ellipsoids of 2:2:5 and of 4:4:5",
                       fmt::format("'{}' has another shape", p.name),
                       "drag = 'holzer_sommerfeld' is for any shape; half_axes are in the order x, y, z");
   }
+}
+
+/// Hard collisions know no torque of a flow, and no fluid that is struck with a particle.
+void check_hard_forces(const Check& check, const std::string& table, const std::string& drag,
+                       const FluidForceKeys& keys, bool by_shape) {
+  if (!is_hard(check.c)) return;
+  const std::string because = "contact.collision is 'hard'";
+  const auto turns = [&](const std::string& word) { return word == "on" || (word == "auto" && by_shape); };
+  if (by_shape && turns(keys.viscous_torque))
+    check.fail("E164", table + ".drag", fmt::format("drag = '{}' does not go with hard collisions", drag),
+               "it turns particles, too, and " + because,
+               "choose contact.collision = 'soft', or drag = 'schiller_naumann'");
+  else if (turns(keys.pitching_torque) || turns(keys.viscous_torque))
+    check.fail("E164", table + (turns(keys.pitching_torque) ? ".pitching_torque" : ".viscous_torque"),
+               "torques of a fluid do not go with hard collisions", because,
+               "choose contact.collision = 'soft', or set pitching_torque and viscous_torque to 'off'");
+  if (keys.added_mass)
+    check.fail("E164", table + ".added_mass", "added mass does not go with hard collisions", because,
+               "choose contact.collision = 'soft'");
+}
+
+/// What the forces of the table of a flow, prescribed or solved for, ask of the particles.
+void check_forces(const Check& check, const std::string& table, const std::string& drag, const FluidForceKeys& keys) {
+  if (!check.sound({table, "particles", "contact.collision"})) return;
+  static const std::vector<std::string> laws = {"stokes_ellipsoid", "haider_levenspiel", "ganser", "holzer_sommerfeld",
+                                                "zastawny"};
+  check_hard_forces(check, table, drag, keys, std::ranges::find(laws, drag) != laws.end());
+  if (drag == "zastawny") check_zastawny(check, table);
+}
+
+/// The forces of a flow that is solved for.
+void check_coupling(const Check& check) {
+  const CouplingKeys& k = check.c.coupling;
+  if (!couples(check.c)) return;
+  check_forces(check, "coupling", k.drag, k);
+  const bool viscous = k.drag != "none" || k.saffman || k.magnus || k.shape_lift == "on" || k.pitching_torque == "on" ||
+                       k.viscous_torque == "on";
+  if (viscous && check.c.fluid.viscosity == 0 && check.sound({"fluid.viscosity", "coupling"}))
+    check.fail("E163", "fluid.viscosity", fmt::format("drag = '{}' needs a fluid with viscosity", k.drag),
+               "the viscosity is 0",
+               "give its viscosity, or set coupling.drag = 'none'   (scree explain coupling.drag)");
 }
 
 void check_flow(const Check& check) {
@@ -131,7 +164,13 @@ void check_flow(const Check& check) {
   if (!creeping && f.density == 0 && check.sound({"flow.density", "flow.drag", "flow.type"}))
     check.fail("E163", "flow.drag", fmt::format("drag = '{}' needs the density of the fluid", f.drag),
                "'density' is missing", "add 'density'   (scree explain flow.density)");
-  check_body_drag(check);
+  check_forces(check, "flow", f.drag, f);
+  const bool dense = f.saffman || f.magnus || f.added_mass || f.pressure_force || f.pitching_torque == "on" ||
+                     f.viscous_torque == "on" || f.shape_lift == "on";
+  if (dense && (f.density == 0 || f.viscosity == 0) && check.sound({"flow"}))
+    check.fail("E163", "flow.type", "the forces of the flow need the density and the viscosity of the fluid",
+               f.density == 0 ? "'density' is missing" : "'viscosity' is missing",
+               "give both   (scree explain flow.density)");
   if (!f.buoyancy || !check.sound({"flow.buoyancy", "flow.density", "flow.type", "gravity"})) return;
   if (f.density == 0)
     check.fail("E163", "flow.buoyancy", "buoyancy needs the density of the fluid", "'density' is missing",
@@ -190,6 +229,7 @@ void check_particles(const Check& check) {
     check_shape(check, i);
   }
   check_flow(check);
+  check_coupling(check);
   check_tracks(check);
   check_steps(check);
 }

@@ -1,4 +1,5 @@
 // What acts on the particles: gravity, the prescribed flow, and the laws of contact.
+#include "scree/input/force_keys.h"
 #include "scree/input/keys.h"
 
 namespace scree {
@@ -43,59 +44,69 @@ const Section& gravity_section() {
 const Section& flow_section() {
   using S = FlowKeys;
   static const std::vector<std::string> flowing = {"still", "uniform", "taylor_green", "shear", "expression"};
-  static const Section section = {
-      "flow",
-      "[flow]",
-      "A prescribed flow of a fluid, which the particles do not change, and its drag.",
-      {key("type", &S::type,
-           "still: at rest; uniform: one velocity; taylor_green: (-A sin ax cos ay cos az, -A cos ax sin ay cos az, 2 "
-           "A cos ax cos ay sin az); shear: u_x grows with y; expression: formulas")
-           .one_of({"none", "still", "uniform", "taylor_green", "shear", "expression"}),
-       key("drag", &S::drag,
-           "law of the drag, of any shape that of the sphere of equal volume: stokes; schiller_naumann: drag "
-           "coefficient "
-           "24 / Re (1 + 0.15 Re^0.687), 0.44 from Re = 1000. By the shape: haider_levenspiel, by its sphericity. By "
-           "shape and orientation, with the lift and the torques that belong to it: stokes_ellipsoid, exact for "
-           "ellipsoids in creeping flow; ganser; holzer_sommerfeld, by its shadows; zastawny, for ellipsoids of 2:2:5 "
-           "and 4:4:5 (docs/fluid_forces.md)")
-           .one_of({"none", "stokes", "schiller_naumann", "stokes_ellipsoid", "haider_levenspiel", "ganser",
-                    "holzer_sommerfeld", "zastawny"})
-           .only_with("type", flowing),
-       key("density", &S::density, "of the fluid; drag at finite Reynolds numbers, torques and buoyancy need it")
-           .unit("kg/m3")
-           .at_least(0)
-           .only_with("type", flowing),
-       key("viscosity", &S::viscosity, "dynamic viscosity of the fluid; any drag needs it")
-           .unit("Pa s")
-           .at_least(0)
-           .only_with("type", flowing),
-       key("buoyancy", &S::buoyancy,
-           "whether the fluid carries its part of the weight: particles then fall in uniform gravity g with "
-           "g (1 - fluid density / particle density)")
-           .only_with("type", flowing),
-       key("velocity", &S::velocity, "of the uniform flow").unit("m/s").required().only_with("type", {"uniform"}),
-       key("amplitude", &S::amplitude, "A of the Taylor-Green flow")
-           .unit("m/s")
-           .required()
-           .only_with("type", {"taylor_green"}),
-       key("wavenumber", &S::wavenumber,
-           "a of the Taylor-Green flow: 2 pi divided by its period; a vortex is pi / a wide")
-           .unit("1/m")
-           .above(0)
-           .required()
-           .only_with("type", {"taylor_green"}),
-       key("shear_rate", &S::shear_rate, "u_x = shear_rate (y - shear_origin)")
-           .unit("1/s")
-           .required()
-           .only_with("type", {"shear"}),
-       key("shear_origin", &S::shear_origin, "height y at which the shear flow is at rest")
-           .unit("m")
-           .only_with("type", {"shear"}),
-       key("expression", &S::expression, "components of the velocity")
-           .unit("m/s")
-           .required()
-           .only_with("type", {"expression"})},
-      [] { return std::make_shared<S>(); }};
+  static const Section section = [] {
+    Section all = {
+        "flow",
+        "[flow]",
+        "A prescribed flow of a fluid, which the particles do not change, and its drag.",
+        {key("type", &S::type,
+             "still: at rest; uniform: one velocity; taylor_green: (-A sin ax cos ay cos az, -A cos ax sin ay cos az, "
+             "2 "
+             "A cos ax cos ay sin az); shear: u_x grows with y; expression: formulas")
+             .one_of({"none", "still", "uniform", "taylor_green", "shear", "expression"}),
+         key("drag", &S::drag,
+             "law of the drag, of any shape that of the sphere of equal volume: stokes; schiller_naumann: drag "
+             "coefficient "
+             "24 / Re (1 + 0.15 Re^0.687), 0.44 from Re = 1000. By the shape: haider_levenspiel, by its sphericity. By "
+             "shape and orientation, with the lift and the torques that belong to it: stokes_ellipsoid, exact for "
+             "ellipsoids in creeping flow; ganser; holzer_sommerfeld, by its shadows; zastawny, for ellipsoids of "
+             "2:2:5 "
+             "and 4:4:5 (docs/fluid_forces.md)")
+             .one_of({"none", "stokes", "schiller_naumann", "stokes_ellipsoid", "haider_levenspiel", "ganser",
+                      "holzer_sommerfeld", "zastawny"})
+             .only_with("type", flowing),
+         key("density", &S::density, "of the fluid; drag at finite Reynolds numbers, torques and buoyancy need it")
+             .unit("kg/m3")
+             .at_least(0)
+             .only_with("type", flowing),
+         key("viscosity", &S::viscosity, "dynamic viscosity of the fluid; any drag needs it")
+             .unit("Pa s")
+             .at_least(0)
+             .only_with("type", flowing),
+         key("buoyancy", &S::buoyancy,
+             "whether the fluid carries its part of the weight: particles then fall in uniform gravity g with "
+             "g (1 - fluid density / particle density)")
+             .only_with("type", flowing),
+         key("velocity", &S::velocity, "of the uniform flow").unit("m/s").required().only_with("type", {"uniform"}),
+         key("amplitude", &S::amplitude, "A of the Taylor-Green flow")
+             .unit("m/s")
+             .required()
+             .only_with("type", {"taylor_green"}),
+         key("wavenumber", &S::wavenumber,
+             "a of the Taylor-Green flow: 2 pi divided by its period; a vortex is pi / a wide")
+             .unit("1/m")
+             .above(0)
+             .required()
+             .only_with("type", {"taylor_green"}),
+         key("shear_rate", &S::shear_rate, "u_x = shear_rate (y - shear_origin)")
+             .unit("1/s")
+             .required()
+             .only_with("type", {"shear"}),
+         key("shear_origin", &S::shear_origin, "height y at which the shear flow is at rest")
+             .unit("m")
+             .only_with("type", {"shear"}),
+         key("expression", &S::expression, "components of the velocity")
+             .unit("m/s")
+             .required()
+             .only_with("type", {"expression"}),
+         key("pressure_force", &S::pressure_force,
+             "whether the pressure and the friction that accelerate the flow act on particles by their volume; that of "
+             "the weight of the fluid is buoyancy")
+             .only_with("type", flowing)},
+        [] { return std::make_shared<S>(); }};
+    for (Key& key : fluid_force_keys<S>()) all.keys.push_back(std::move(key.only_with("type", flowing)));
+    return all;
+  }();
   return section;
 }
 

@@ -35,6 +35,7 @@ typedef struct {
   sc_vec acceleration;  // of body forces, beyond uniform gravity; of a body that moves as prescribed, its own [m/s2]
   sc_vec fluid;         // velocity of the fluid [m/s]
   real drag_rate;       // with SC_DRAG_OF_FIELD: drag over mass and slip [1/s]
+  real added_mass;      // with SC_DRAG_OF_FIELD: of the fluid that goes with the particle, over its mass
 } sc_field;
 
 /// The motion of a body's centre.
@@ -63,6 +64,14 @@ SC_FN real sc_rate_of_drag(sc_move m, sc_centre s, sc_field field) {
   return sc_drag_rate(m.drag, slip, R(2) * s.radius, s.inverse_mass, m.fluid_density, m.fluid_viscosity);
 }
 
+/// What acts where there is nothing.
+SC_FN sc_field sc_no_field(void) {
+  sc_field out;
+  out.acceleration = out.fluid = sc_zero_vec();
+  out.drag_rate = out.added_mass = R(0);
+  return out;
+}
+
 /// Velocity after `push` [m/s2] and drag have acted for `dt` on a body of velocity `s.velocity`.
 SC_FN sc_pushed sc_push(sc_move m, sc_centre s, sc_vec push, sc_field field, real dt) {
   sc_pushed out;
@@ -75,7 +84,9 @@ SC_FN sc_pushed sc_push(sc_move m, sc_centre s, sc_vec push, sc_field field, rea
     const int relaxation = m.scheme == SC_LEAPFROG   ? SC_RELAX_EXPONENTIAL
                            : m.scheme == SC_EXPLICIT ? SC_RELAX_EXPLICIT
                                                      : SC_RELAX_IMPLICIT;
-    out.velocity = sc_relax(relaxation, velocity, push, field.fluid, rate, dt);
+    // What else is accelerated takes its part of every force; the fluid gets it back as drag.
+    const real own = m.drag == SC_DRAG_OF_FIELD ? R(1) / (R(1) + field.added_mass) : R(1);
+    out.velocity = sc_relax(relaxation, velocity, sc_scale(own, push), field.fluid, own * rate, dt);
     out.drag = sc_sub(sc_sub(out.velocity, velocity), sc_scale(dt, push));
   }
   return out;

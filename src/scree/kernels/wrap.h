@@ -7,7 +7,7 @@
 typedef struct {
   real x;
   int image;    // periods travelled
-  int outside;  // it has left along an axis that is not periodic
+  int outside;  // it has left along an axis that is not periodic, or gone further than a period
 } sc_wrapped;
 
 /// `period`: 0 of an axis that is not periodic.
@@ -31,6 +31,8 @@ SC_FN sc_wrapped sc_wrap(real x, real low, real high, real period, int image) {
     w.x = x - period;
     ++w.image;
   }
+  // Also where it is no number any more.
+  if (!(w.x >= low && w.x < high)) w.outside = 1;
   return w;
 }
 

@@ -6,6 +6,7 @@
 #include "scree/particles/sizes.h"
 #include "scree/physics/body/central.h"
 #include "scree/physics/body/rotating_frame.h"
+#include "scree/physics/drag/unsteady.h"
 #include "scree/physics/flow/shear.h"
 #include "scree/physics/flow/taylor_green.h"
 
@@ -59,6 +60,13 @@ sc_vec slope(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x
                   sc_sub(stream_at(f, formula, sc_add(x, step), time), stream_at(f, formula, sc_sub(x, step), time)));
 }
 
+/// Its derivative with time, over `interval` about `time`.
+sc_vec trend(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, double time) {
+  if (f.flow != FlowKind::expression || f.interval == 0) return sc_zero_vec();
+  const double half = 0.5 * f.interval;
+  return sc_scale(1 / f.interval, sc_sub(stream_at(f, formula, x, time + half), stream_at(f, formula, x, time - half)));
+}
+
 /// The prescribed flow at x; the gradient of one that has none in closed form over a thousandth of `radius`.
 FluidThere flow_there(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, double radius, double time) {
   FluidThere out;
@@ -76,6 +84,8 @@ FluidThere flow_there(const Fields& f, std::optional<VectorExpression>& formula,
     out.gradient.y = sc_make_vec(a.y, b.y, c.y);
     out.gradient.z = sc_make_vec(a.z, b.z, c.z);
   }
+  if (f.forces.carried || f.forces.added_mass)
+    out.acceleration = sc_material_derivative(trend(f, formula, x, time), out.velocity, out.gradient);
   return out;
 }
 
@@ -85,15 +95,19 @@ void add_flow_forces(const Fields& f, std::optional<VectorExpression>& formula, 
   const double* m = particles.motion.row(p);
   const FluidThere there = flow_there(f, formula, sc_make_vec(m[0], m[1], m[2]), m[lane::radius], time);
   const FluidPush push = push_of_fluid(f.forces, particles, p, there);
+  const double carried = f.forces.carried ? displaced_share(f, particles, static_cast<std::int64_t>(p)) : 0;
   field.drag_rate = push.drag * m[lane::inverse_mass];
+  field.added_mass = added_mass_of(f.forces, particles, p, there) * m[lane::inverse_mass];
   field.acceleration = sc_add_scaled(field.acceleration, m[lane::inverse_mass], push.force);
+  field.acceleration = sc_add_scaled(field.acceleration, carried + field.added_mass, there.acceleration);
 }
 
-/// What a fluid that is solved for has said at its last step.
+/// What a fluid that is solved for has said to a free particle at its last step.
 void add_coupling(const Particles& particles, std::size_t p, sc_field& field) {
   const double *stream = particles.stream.row(p), *pull = particles.pull.row(p);
   field.fluid = sc_make_vec(stream[0], stream[1], stream[2]);
   field.drag_rate = stream[3];
+  field.added_mass = particles.before.row(p)[3];
   field.acceleration = sc_add(field.acceleration, sc_make_vec(pull[0], pull[1], pull[2]));
 }
 
@@ -127,7 +141,7 @@ void evaluate(const Fields& fields, const Particles& particles, double time, con
     auto acceleration = fields.acceleration, velocity = fields.velocity;
     const Fields& f = fields;
     const bool vortices = f.flow == FlowKind::taylor_green, coupled = particles.coupled();
-    const bool pushes = f.forces.body_drag != 0;
+    const bool pushes = f.forces.push();
 #pragma omp for schedule(static)
     for (std::int64_t begin = 0; begin < n; begin += block) {
       const std::int64_t end = std::min(n, begin + block);
@@ -137,9 +151,9 @@ void evaluate(const Fields& fields, const Particles& particles, double time, con
         out[p].acceleration = free_body ? acceleration_at(f, acceleration, x, time) : sc_zero_vec();
         if (f.buoyancy && free_body)
           out[p].acceleration = sc_sub(out[p].acceleration, sc_scale(displaced_share(f, particles, p), f.uniform));
-        out[p].drag_rate = 0;
+        out[p].drag_rate = out[p].added_mass = 0;
         if (!vortices) out[p].fluid = stream_at(f, velocity, x, time);
-        if (coupled) add_coupling(particles, static_cast<std::size_t>(p), out[p]);
+        if (coupled && free_body) add_coupling(particles, static_cast<std::size_t>(p), out[p]);
         if (pushes && free_body) add_flow_forces(f, velocity, particles, static_cast<std::size_t>(p), time, out[p]);
       }
       if (vortices) kernels.taylor_green(motion, f.amplitude, f.wavenumber, begin, end, out.data());
@@ -147,14 +161,8 @@ void evaluate(const Fields& fields, const Particles& particles, double time, con
   }
 }
 
-void know_shapes(Fields& f, const Forms& forms) {
-  if (f.forces.body_drag == 0) return;
-  // A run of spheres has no forms.
-  f.forces.shapes = make_flow_shapes(forms.empty() ? Forms{sphere_form()} : forms);
-}
-
 void turn_by_flow(const Fields& f, Particles& particles, double time, double dt) {
-  if (f.forces.body_drag == 0) return;
+  if (!f.forces.turn()) return;
   const std::int64_t n = static_cast<std::int64_t>(particles.size());
 #pragma omp parallel if (n >= 2 * least_share)
   {

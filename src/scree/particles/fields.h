@@ -43,7 +43,8 @@ struct Fields {
   double density = 0;     // of the fluid [kg/m3]
   double viscosity = 0;   // of the fluid [Pa s]
   bool buoyancy = false;  // the fluid carries its part of the weight in uniform gravity
-  FluidForces forces;     // of drag by shape
+  FluidForces forces;     // beyond the drag of spheres
+  double interval = 0;    // over which the change of the flow with time is taken [s]
 };
 
 /// True if some particle needs more than uniform gravity.
@@ -51,9 +52,6 @@ bool act_locally(const Fields& fields);
 
 /// Angular velocity of the frame at time t [rad/s].
 sc_vec frame_rotation(const Fields& fields, double time);
-
-/// Makes what the forces of the flow want to know of the forms of a run, where they want it.
-void know_shapes(Fields& fields, const Forms& forms);
 
 /// The torques of a prescribed flow act on all particles for `dt` [s] at the places and orientations they have.
 void turn_by_flow(const Fields& fields, Particles& particles, double time, double dt);

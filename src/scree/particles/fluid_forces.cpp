@@ -1,7 +1,13 @@
 #include "scree/particles/fluid_forces.h"
 
+#include <numbers>
+
 #include "scree/physics/drag/body/body.h"
+#include "scree/physics/drag/crowded.h"
+#include "scree/physics/drag/magnus.h"
 #include "scree/physics/drag/rotation.h"
+#include "scree/physics/drag/saffman.h"
+#include "scree/physics/drag/unsteady.h"
 #include "scree/physics/rotation.h"
 
 namespace scree {
@@ -11,7 +17,7 @@ sc_vec first_three(const double* row) { return sc_make_vec(row[0], row[1], row[2
 
 /// A particle as a fluid sees it.
 struct Seen {
-  const FlowShape* shape;
+  const FlowShape* shape;  // null where no force goes by shape
   sc_mat axes;
   sc_vec slip;  // of the fluid, in the world [m/s]
   sc_vec spin;  // in the world [rad/s]
@@ -21,7 +27,7 @@ struct Seen {
 Seen see(const FluidForces& forces, const Particles& p, std::size_t i, const FluidThere& there) {
   const double *motion = p.motion.row(i), *spin = p.spin.row(i);
   Seen seen;
-  seen.shape = &forces.shapes[p.shaped() ? static_cast<std::size_t>(p.form[i]) : 0];
+  seen.shape = forces.by_shape() ? &forces.shapes[p.shaped() ? static_cast<std::size_t>(p.form[i]) : 0] : nullptr;
   const double* q = p.shaped() ? p.orientation.row(i) : nullptr;
   seen.axes = q ? sc_quat_mat(sc_make_quat(q[0], q[1], q[2], q[3])) : sc_unit_mat();
   seen.slip = sc_sub(there.velocity, first_three(motion + lane::vx));
@@ -42,8 +48,10 @@ sc_body_stream stream_past(const Seen& seen, const FluidThere& there) {
   return b;
 }
 
-/// Which of Zastawny's two shapes a form is; checks have seen to it that it is one of them.
-int law_for(int law, const sc_flow_shape& s) {
+/// The law of lift and pitching torque: that of the drag, or where that is of spheres, the one for any shape. Which of
+/// Zastawny's two shapes a form is, checks have seen to that it is one of them.
+int law_for(const FluidForces& forces, const sc_flow_shape& s) {
+  const int law = forces.body_drag != 0 ? forces.body_drag : SC_DRAG_HOLZER_SOMMERFELD;
   if (law != SC_DRAG_ZASTAWNY_5_2) return law;
   // The shadow across over that along the axis of revolution is the ratio of the half axes.
   return s.shadow.x > 1.8 * s.shadow.z ? SC_DRAG_ZASTAWNY_5_2 : SC_DRAG_ZASTAWNY_5_4;
@@ -62,10 +70,39 @@ FluidForces body_forces(int body_drag) {
 
 FluidPush push_of_fluid(const FluidForces& forces, const Particles& particles, std::size_t p, const FluidThere& there) {
   const Seen seen = see(forces, particles, p, there);
-  const sc_flow_shape& shape = seen.shape->shape;
-  const sc_body_stream b = stream_past(seen, there);
-  const int law = law_for(forces.body_drag, shape);
-  return {sc_body_drag(law, shape, b), forces.lift ? sc_turn(seen.axes, sc_body_lift(law, shape, b)) : sc_zero_vec()};
+  const double d = seen.diameter, density = there.density, viscosity = there.viscosity;
+  FluidPush out;
+  out.force = sc_zero_vec();
+  if (forces.body_drag == 0)
+    out.drag = sc_crowded_drag(forces.drag, there.voidage, sc_norm(seen.slip), d, density, viscosity);
+  if (forces.body_drag != 0 || forces.lift) {
+    const sc_flow_shape& shape = seen.shape->shape;
+    const sc_body_stream b = stream_past(seen, there);
+    const int law = law_for(forces, shape);
+    if (forces.body_drag != 0) out.drag = sc_body_drag(law, shape, b);
+    if (forces.lift) out.force = sc_turn(seen.axes, sc_body_lift(law, shape, b));
+  }
+  const sc_vec curl = forces.sheared() ? sc_curl_of(there.gradient) : sc_zero_vec();
+  if (forces.saffman) out.force = sc_add(out.force, sc_saffman_lift(seen.slip, curl, d, density, viscosity));
+  if (forces.magnus) {
+    const sc_vec relative = sc_sub(sc_scale(0.5, curl), seen.spin);
+    out.force = sc_add(out.force, sc_magnus_lift(seen.slip, relative, d, density, viscosity));
+  }
+  return out;
+}
+
+double added_mass_of(const FluidForces& forces, const Particles& particles, std::size_t p, const FluidThere& there) {
+  if (!forces.added_mass) return 0;
+  const double r = particles.radius_by_volume(p), displaced = there.density * 4.0 / 3.0 * std::numbers::pi * r * r * r;
+  const sc_vec& own =
+      forces.shapes[particles.shaped() ? static_cast<std::size_t>(particles.form[p]) : 0].shape.added_mass;
+  // Crowding as that of spheres, whose own is a half.
+  return displaced * (own.x + own.y + own.z) * (2.0 / 3.0) * sc_added_mass_of_spheres(there.voidage);
+}
+
+void know_shapes(FluidForces& forces, const Forms& forms) {
+  // A run of spheres has no forms.
+  if (forces.by_shape()) forces.shapes = make_flow_shapes(forms.empty() ? Forms{sphere_form()} : forms);
 }
 
 void turn_by_fluid(const FluidForces& forces, Particles& particles, std::size_t p, const FluidThere& there, double dt) {
@@ -85,7 +122,7 @@ void turn_by_fluid(const FluidForces& forces, Particles& particles, std::size_t 
     fluid = sc_turning_of(shape, rotor, turning, sc_strain_across(there.gradient, seen.axes), spin);
   }
   sc_vec torque = sc_zero_vec();
-  if (forces.pitching) torque = sc_body_torque(law_for(forces.body_drag, shape), shape, stream_past(seen, there));
+  if (forces.pitching) torque = sc_body_torque(law_for(forces, shape), shape, stream_past(seen, there));
   const auto turned = [dt](double w, double inverse_moment, double target, double resistance, double push) {
     const double x = resistance * inverse_moment * dt;
     return w + (resistance * (target - w) + push) * inverse_moment * dt * sc_phi1(x);

@@ -121,7 +121,7 @@ void push_shape_once_more(const SweepView& v, std::int64_t i, const Gathered& g)
   const sc_body_motion before = body_at(v, i);
   const Push push = push_of(g);
   const bool free_body = before.centre.inverse_mass > 0;
-  const sc_field field = free_body ? sc_field{sc_zero_vec(), sc_zero_vec(), 0} : field_at(v, i);
+  const sc_field field = free_body ? sc_no_field() : field_at(v, i);
   const sc_body_moved moved = sc_move_body(v.move, before, push.force, push.torque, field);
   book(v, i, before.centre, free_body ? Push{} : push, moved.centre, moved.prescribed_work);
   put(v.motion + 8 * i + lane::vx, moved.centre.velocity);
@@ -138,7 +138,7 @@ void push_once_more(const SweepView& v, Particles& p, std::size_t i, const Gathe
   if (p.shaped()) return push_shape_once_more(v, static_cast<std::int64_t>(i), g);
   const sc_sphere_motion before = motion_of(p, i);
   const sc_sphere_load load = load_of(g);
-  sc_field field{sc_zero_vec(), sc_zero_vec(), 0};
+  sc_field field = sc_no_field();
   if (v.field && before.inverse_mass == 0) field = v.field[i];
   const sc_sphere_moved moved = sc_move_sphere(v.move, before, load, field);
   // The partner that leaves is no wall: one that stays and is free has nothing to book of it.
@@ -210,7 +210,7 @@ void let_in(Particles& fresh, const Domain& domain, const Moment& moment, const 
   sc_move move = moment.move;
   if (!field) move.drag = SC_DRAG_NONE;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const sc_field here = field ? field[i] : sc_field{sc_zero_vec(), sc_zero_vec(), 0};
+    const sc_field here = field ? field[i] : sc_no_field();
     const sc_centre start = before_kick(move, centre_of(p, i), here);
     const sc_centre_moved moved = sc_move_centre(move, start, sc_zero_vec(), here);
     // What a sample will find is what it is booked with, wherever the start was not found to the last bit.

@@ -41,6 +41,9 @@ void add_outside_forces(Sample& sample, const sc_move& move, const sc_field* fie
     sample.force[4 * i] += p.mass[i] * push.x;
     sample.force[4 * i + 1] += p.mass[i] * push.y;
     sample.force[4 * i + 2] += p.mass[i] * push.z;
+    // The fluid that goes with it takes its part of all forces.
+    const double own = field && move.drag == SC_DRAG_OF_FIELD ? 1 / (1 + field[i].added_mass) : 1.0;
+    for (int k = 0; k < 3; ++k) sample.force[4 * i + k] *= own;
   });
 }
 

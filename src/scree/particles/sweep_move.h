@@ -92,7 +92,7 @@ inline void book(const SweepView& v, std::int64_t p, const sc_centre& before, co
 }
 
 [[gnu::always_inline]] inline sc_field field_at(const SweepView& v, std::int64_t p) {
-  return v.field ? v.field[p] : sc_field{sc_zero_vec(), sc_zero_vec(), 0};
+  return v.field ? v.field[p] : sc_no_field();
 }
 
 /// sc_move_sphere with the choices of most cases folded away.
@@ -138,7 +138,7 @@ template <class Laws>
   sc_move m = v.move;
   m.drag = SC_DRAG_NONE;
   m.rotation = sc_zero_vec();
-  return sc_move_sphere(m, s, load_of(g), {sc_zero_vec(), sc_zero_vec(), 0}).motion;
+  return sc_move_sphere(m, s, load_of(g), sc_no_field()).motion;
 }
 
 /// Writes where the centre has gone and how fast it is.

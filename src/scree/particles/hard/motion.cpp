@@ -72,7 +72,7 @@ void push(const Particles& p, std::vector<HardBody>& bodies, const sc_move& move
   launch(p.size(), [&](std::size_t i) {
     const double* row = p.motion.row(i);
     const sc_centre c{vec_of(row), bodies[i].velocity, p.radius_by_volume(i), row[lane::inverse_mass]};
-    const sc_field here = field ? field[i] : sc_field{sc_zero_vec(), sc_zero_vec(), 0};
+    const sc_field here = field ? field[i] : sc_no_field();
     const sc_centre_moved moved = sc_move_centre(m, c, sc_zero_vec(), here);
     bodies[i].velocity = moved.velocity;
     given[i] = {moved.drag_impulse, moved.body_impulse};

@@ -133,4 +133,26 @@ SC_FN sc_vec sc_body_torque(int law, sc_flow_shape s, sc_body_stream b) {
   return sc_scale(R(1.3) * sc_pow(re, R(-0.2)) * mass * crowding, munk);
 }
 
+/// Where a law rests on measurements: sphericity, and Re = rho e U d_V/mu of the superficial slip velocity.
+typedef struct {
+  real least_sphericity, least_reynolds, most_reynolds;
+} sc_body_range;
+
+SC_FN sc_body_range sc_make_body_range(real least_sphericity, real least_reynolds, real most_reynolds) {
+  sc_body_range out;
+  out.least_sphericity = least_sphericity;
+  out.least_reynolds = least_reynolds;
+  out.most_reynolds = most_reynolds;
+  return out;
+}
+
+/// The range of a law of drag by shape (docs/fluid_forces.md); outside it the formula goes on.
+SC_FN sc_body_range sc_range_of_body_drag(int law) {
+  if (law == SC_DRAG_STOKES_ELLIPSOID) return sc_make_body_range(R(0), R(0), R(0.5));
+  if (law == SC_DRAG_HAIDER_LEVENSPIEL) return sc_make_body_range(R(0.67), R(0), R(2.6e5));
+  if (law == SC_DRAG_GANSER) return sc_make_body_range(R(0), R(0), R(1e5));
+  if (law == SC_DRAG_ZASTAWNY_5_2 || law == SC_DRAG_ZASTAWNY_5_4) return sc_make_body_range(R(0), R(0.1), R(300));
+  return sc_make_body_range(R(0), R(0), R(1e30));
+}
+
 #endif
