@@ -31,7 +31,7 @@ Particles moved(int n, const Grid& g, double way) {
   std::mt19937 draw(7);
   std::uniform_real_distribution<double> unit(0, 1);
   Particles p;
-  p.couple();
+  p.couple(false);
   p.resize(static_cast<std::size_t>(n));
   for (std::size_t i = 0; i < p.size(); ++i) {
     double* x = p.motion.row(i);
