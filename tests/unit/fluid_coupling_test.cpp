@@ -19,7 +19,7 @@ TEST(FluidCoupling, MomentumOfFluidAndParticlesIsConstantWhateverTheSubcycling) 
 
 /// Each part of the exchange matters: without it momentum is lost by far more than rounding.
 TEST(FluidCoupling, MomentumIsLostWithAnyPartOfTheExchange) {
-  const Cloud cloud = {.subcycles = 1};
+  const Cloud cloud = {.subcycles = 7};
   Cloud one_sided = cloud;
   one_sided.coupling += "\npressure_force = false";  // the fluid pushes particles aside, they do not feel it
   EXPECT_GT(drift_of(one_sided, 300), 1e-6);
@@ -32,7 +32,7 @@ TEST(FluidCoupling, MomentumIsLostWithAnyPartOfTheExchange) {
       for (int a = 0; a < 3; ++a)
         p.expected.row(i)[a] = p.drag_impulse.row(i)[a] + p.mass[i] * p.drag_impulse.row(i)[3] * p.pull.row(i)[a];
   };
-  EXPECT_GT(drift_of(cloud, 300, forgive), 1e-6);
+  EXPECT_GT(drift_of(cloud, 300, forgive), 1e-8);
 }
 
 TEST(FluidCoupling, VolumeIsConserved) {
@@ -94,7 +94,7 @@ subcycles = 1
         return s.coupling()->fluid.state.velocity[0][s.coupling()->fluid.mesh.index(1, 1, 1)];
       };
       const auto speed = [&] { return s.system().particles.motion.row(0)[lane::vx]; };
-      const double all = 0.1 * solids;
+      double all = 0;  // with the formula of two steps, which does not know the first
       double largest = 0, early = 0, late = 0, drift = 0;
       for (int n = 0; n < 60; ++n) {
         s.step();
@@ -102,10 +102,11 @@ subcycles = 1
           largest = std::max(largest, std::abs(s.system().particles.motion.row(i)[lane::vx]));
         double& slip = n < 30 ? early : late;
         slip = std::max(slip, std::abs(speed() - stream()));
-        if (n > 0) drift = std::max(drift, std::abs(momentum(s)[0] - all) / all);
+        if (n == 0) all = momentum(s)[0];
+        drift = std::max(drift, std::abs(momentum(s)[0] - all) / all);
       }
       EXPECT_LT(largest, 0.1 * (1 + 1e-9));
-      EXPECT_LE(late, early * (1 + 1e-12));
+      EXPECT_LE(late, early + 1e-12 * 0.1);
       EXPECT_LT(drift, 1e-12);
       // Slip dies with the rate of both masses.
       const double u = stream(), v = speed();

@@ -83,8 +83,8 @@ TEST(FluidUniform, WithBodiesThatTumble) {
 half_axes = [0.002, 0.001, 0.0008]
 exponents = [0.8, 0.6]
 orientation = "random"
-angular_velocity = [400, -300, 200]
-count = 60)";
+angular_velocity = [40, -30, 20]
+count = 30)";
   expect_uniform(cloud, 100);
 }
 
@@ -106,7 +106,7 @@ TEST(FluidUniform, BetweenWallsThatSlip) {
 TEST(FluidUniform, WithTenThousandParticles) {
   Cloud cloud = uniform();
   cloud.subcycles = 10;
-  cloud.shape = "diameter = { type = \"uniform\", min = 0.0002, max = 0.0005 }\ncount = 10000";
+  cloud.shape = "diameter = { distribution = \"uniform\", min = 0.0002, max = 0.0005 }\ncount = 10000";
   cloud.cells = "cells = [10, 10, 10]";
   expect_uniform(cloud, 30);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scree/base/error.h"
+#include "scree/fluid/solids.h"
 
 namespace scree {
 namespace {
@@ -79,7 +80,7 @@ double force_without_plate(const FluidSolver& s, const BoundaryFace& f) {
 
 double boundary_force(const FluidSolver& s, const BoundaryFace& f) {
   const auto force_at = [&](std::int64_t face) {
-    return s.work.face_force[0].empty() ? 0.0 : s.work.face_force[f.axis][face];
+    return s.work.face_force[0].empty() ? 0.0 : s.work.face_force[f.axis][face] - push_drift(s, f.axis, face);
   };
   const Field& p = s.state.pressure;
   if (gives_pressure(f))

@@ -73,6 +73,16 @@ double half_push(const FluidSolver& s, int a, std::int64_t face, std::int64_t c,
   return own + resistance * ((at_face - e[c]) * s.load.solids[a][c] / solids - s.state.solids_beyond[a][face]);
 }
 
+double push_drift(const FluidSolver& s, int a, std::int64_t face) {
+  const Mesh& m = s.mesh;
+  if (s.load.solids[0].empty() || m.open[a][face] == 0) return 0;
+  const std::int64_t below = face - m.stride[a];
+  const std::int64_t at = a == 2 ? face / m.stride[2] : face % m.stride[a + 1] / m.stride[a];
+  const double lower = m.axis[a].lower_share[static_cast<std::size_t>(at)];
+  const auto beyond = [&](std::int64_t c) { return half_push(s, a, face, c, lower) - s.load.push[a][c] / s.felt()[c]; };
+  return (1 - lower) * beyond(below) + lower * beyond(face);
+}
+
 void find_push_shift(FluidSolver& s) {
   if (s.load.solids[0].empty()) return;
   const Mesh& m = s.mesh;

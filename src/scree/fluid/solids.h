@@ -24,6 +24,9 @@ void take_solids(FluidSolver& s, const Bdf& bdf);
 /// drag counts what the flux of the face is slower than what moves there. `lower` is the weight of the cell below.
 double half_push(const FluidSolver& s, int axis, std::int64_t face, std::int64_t cell, double lower);
 
+/// How much more a face between two cells is given than the mean of their own pushes [N/m3].
+double push_drift(const FluidSolver& s, int axis, std::int64_t face);
+
 /// What each cell's own push is beyond the mean of its halves, into work.push_shift.
 void find_push_shift(FluidSolver& s);
 
