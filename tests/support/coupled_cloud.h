@@ -17,6 +17,7 @@ namespace scree {
 /// The particles' velocity and the cells of the fluid, and what else [fluid] and [coupling] say, may be replaced.
 struct Cloud {
   double density = 2500, viscosity = 1e-3;
+  double stiffness = 300;
   int subcycles = 1;
   std::string velocity = R"({ type = "random", value = [0.3, -0.2, 0.1], deviation = 0.3 })";
   std::string shape = R"(diameter = 0.002
@@ -64,7 +65,7 @@ convection = "van_leer"
 {}
 subcycles = {}
 )toml",
-                       periodic, density, 0.12 * density, shape, velocity, viscosity, cells, stream, accuracy, coupling,
+                       periodic, density, stiffness, shape, velocity, viscosity, cells, stream, accuracy, coupling,
                        subcycles);
   }
 };

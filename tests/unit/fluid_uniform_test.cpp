@@ -50,14 +50,14 @@ void expect_uniform(const Cloud& cloud, int steps) {
   EXPECT_GT(found.most - found.least, 0.02);
 }
 
-TEST(FluidUniform, InEvenCells) { expect_uniform(uniform(), 400); }
+TEST(FluidUniform, InEvenCells) { expect_uniform(uniform(), 200); }
 
 TEST(FluidUniform, InGradedCells) {
   Cloud cloud = uniform();
   cloud.cells = R"(cells = [5, 4, 6]
 x = [{ to = 0.02, cells = 5, ratio = 2 }]
 z = [{ to = 0.01, cells = 3, ratio = 2 }, { to = 0.02, cells = 3, ratio = 0.5 }])";
-  expect_uniform(cloud, 400);
+  expect_uniform(cloud, 200);
 }
 
 TEST(FluidUniform, WithoutDragAndWithAnotherLaw) {
@@ -106,7 +106,8 @@ TEST(FluidUniform, BetweenWallsThatSlip) {
 TEST(FluidUniform, WithTenThousandParticles) {
   Cloud cloud = uniform();
   cloud.subcycles = 10;
-  cloud.shape = "diameter = { distribution = \"uniform\", min = 0.0002, max = 0.0005 }\ncount = 10000";
+  cloud.stiffness = 0.3;
+  cloud.shape = "diameter = { distribution = \"uniform\", min = 0.0003, max = 0.0005 }\ncount = 10000";
   cloud.cells = "cells = [10, 10, 10]";
   expect_uniform(cloud, 30);
 }
