@@ -75,6 +75,45 @@ frames = 0.005
 checkpoints = 0.0102
 """
 
+# Particles that go with a uniform flow, over cells of several widths and through the faces between processes.
+UNIFORM = """
+[simulation]
+end = 0.002
+time_step = 2e-5
+[domain]
+min = [0, 0, 0]
+max = [0.02, 0.02, 0.02]
+periodic = [true, true, true]
+[contact]
+normal = "linear"
+[[materials]]
+name = "grain"
+density = 2500
+stiffness = 300
+restitution = 0.8
+[[particles]]
+name = "cloud"
+material = "grain"
+diameter = 0.002
+insert = "random"
+count = 150
+velocity = [3, -2, 1]
+[fluid]
+type = "incompressible"
+density = 10
+viscosity = 1e-3
+cells = [6, 4, 4]
+x = [{ to = 0.02, cells = 6, ratio = 2 }]
+velocity = ["3", "-2", "1"]
+divergence_tolerance = 1e-12
+[coupling]
+drag = "none"
+pressure_force = false
+subcycles = 10
+[output]
+frames = 0.002
+"""
+
 
 class Coupled(Ranks):
     def run_case(self, name, *options, ranks=0, threads=1):
@@ -110,18 +149,27 @@ class Coupled(Ranks):
     def test_all_forces(self):
         forces = ("drag = 'holzer_sommerfeld'\nsaffman = true\nmagnus = true\nadded_mass = true\nviscous_stress = true\n"
                   "pitching_torque = 'on'\nviscous_torque = 'on'\n")
-        self.case.write_text(BED.replace("subcycles = 9\n", "subcycles = 9\n" + forces).replace("0.0102", "0.0031"))
+        case = BED.replace("subcycles = 9\n", "subcycles = 9\n" + forces).replace("0.0102", "0.0031")
         short = ("--set", "simulation.end=0.006")
-        whole = self.run_case("whole", "--threads", "1", *short)
+        whole = self.run_on(0, case, "whole", *short)
         self.assertEqual(whole["status"], "finished")
         self.assertLess(whole["ledger"]["coupling_error"], 1e-12 * 9.81 * 3e-4 * 0.006)
-        self.run_case("pieces", "--until", "0.0031", "--threads", "2", *short)
-        pieces = self.run_case("pieces", "--restart", "latest", "--threads", "2")
+        self.run_on(0, case, "pieces", "--until", "0.0031", *short, threads=2)
+        pieces = self.run_on(0, case, "pieces", "--restart", "latest", *short, threads=2)
         self.assertEqual((pieces["state_hash"], pieces["fluid_hash"]), (whole["state_hash"], whole["fluid_hash"]))
-        shared = self.run_case("on2", "--threads", "1", *short, ranks=2)
+        shared = self.run_on(2, case, "on2", *short)
         self.assertEqual(shared["status"], "finished")
         numpy.testing.assert_allclose(self.fraction("on2", 1), self.fraction("whole", 1), atol=1e-6)
         self.assertLess(shared["ledger"]["coupling_error"], 1e-12 * 9.81 * 3e-4 * 0.006)
+
+    def test_a_uniform_flow_stays_uniform_on_any_number_of_processes(self):
+        for ranks in (1, 2, 3):
+            name = f"on{ranks}"
+            self.assertEqual(self.run_on(ranks, UNIFORM, name)["status"], "finished")
+            with h5py.File(self.work / name / "fluid" / "fluid_000001.h5") as file:
+                numpy.testing.assert_allclose(file["fields/velocity"][:].reshape(-1, 3), [[3, -2, 1]] * 96, atol=1e-10)
+            numpy.testing.assert_array_equal(self.fraction(name, 1), self.fraction("on1", 1))
+        self.assertGreater(numpy.ptp(self.fraction("on1", 1)), 0.02)
 
 
 if __name__ == "__main__":
