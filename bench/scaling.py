@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How a run shares itself among processes of one thread. usage: scaling.py PROGRAM PACKINGS PROCESSES... [--cases NAMES...]
+"""How a run shares itself among processes of one thread. usage: scaling.py PROGRAM PACKINGS PROCESSES... [--cases NAMES...] [--until TIME]
 
 PROGRAM is scree, PACKINGS the directory with dense.csv (`scree bench dense` makes it), PROCESSES as in "1 2 4 8". Prints one
 line per run in Markdown: the dense bed of 100 000 spheres shared by all (strong), one such bed per process side by side (weak),
@@ -80,6 +80,7 @@ def main():
     parser.add_argument("packings", type=os.path.abspath)
     parser.add_argument("processes", type=int, nargs="+")
     parser.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES))
+    parser.add_argument("--until", help='end all runs at another time, as in "50 ms"')
     arguments = parser.parse_args()
     print("| case | processes | particles | steps | ms per step | efficiency | messages | bytes | imbalance | waiting | state |")
     print("|" + "---|" * 11)
@@ -89,7 +90,7 @@ def main():
         for count in arguments.processes:
             with tempfile.TemporaryDirectory() as directory:
                 case, settings, until = make(arguments.packings, count, directory)
-                s = run(arguments.program, count, case, settings, until, f"{directory}/run")
+                s = run(arguments.program, count, case, settings, arguments.until or until, f"{directory}/run")
             step = 1e3 * sum(s["stages"].get(stage, 0) for stage in STAGES) / s["steps"]
             first = first or (step, count)
             efficiency = first[0] / step * (1 if name.startswith("weak") else first[1] / count)
