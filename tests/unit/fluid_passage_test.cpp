@@ -7,24 +7,10 @@
 
 #include "scree/coupling/passage.h"
 #include "support/foreign_leaks.h"
+#include "support/graded_grid.h"
 
 namespace scree {
 namespace {
-
-Grid grid_of(bool periodic) {
-  Grid g;
-  g.faces = {graded_faces(0, {{1.0, 7, 3.0}, {1.5, 3, 1.0}}), graded_faces(-1, {{0.5, 6, 0.4}}),
-             graded_faces(0, {{0.3, 2, 1.0}})};
-  g.periodic = {periodic, periodic, periodic};
-  return g;
-}
-
-FluidRegion region_of(const Grid& grid) {
-  FluidRegion r;
-  r.grid = grid;
-  r.blocks = {grid.all()};
-  return r;
-}
 
 /// Some particles, met by the fluid, that have moved by up to `way` along each axis since.
 Particles moved(int n, const Grid& g, double way) {
@@ -93,7 +79,7 @@ std::pair<double, double> imbalance(const Grid& g, const Particles& p) {
 TEST(FluidPassage, CellsGainWhatPassesTheirFaces) {
   for (const bool periodic : {false, true})
     for (const double way : {1e-4, 0.02, 0.1}) {
-      const Grid g = grid_of(periodic);
+      const Grid g = graded_grid(periodic);
       const auto [worst, largest] = imbalance(g, moved(1, g, way));
       EXPECT_LE(worst, 300);  // a half for each of what is rounded
       EXPECT_GT(largest, 1e9);
@@ -104,7 +90,7 @@ TEST(FluidPassage, CellsGainWhatPassesTheirFaces) {
 }
 
 TEST(FluidPassage, NothingPassesWithParticlesThatTheFluidHasNotMet) {
-  const Grid g = grid_of(true);
+  const Grid g = graded_grid(true);
   Particles p = moved(50, g, 0.05);
   for (std::size_t i = 0; i < p.size(); ++i) p.met_at.row(i)[3] = 0;
   const FluidRegion region = region_of(g);
@@ -114,7 +100,7 @@ TEST(FluidPassage, NothingPassesWithParticlesThatTheFluidHasNotMet) {
 }
 
 TEST(FluidPassage, SumsDependNeitherOnOrderNorOnThreads) {
-  const Grid g = grid_of(true);
+  const Grid g = graded_grid(true);
   const FluidRegion region = region_of(g);
   const Spreading s(region, {});
   Particles p = moved(3000, g, 0.05);

@@ -8,24 +8,10 @@
 #include "scree/coupling/diffusion.h"
 #include "scree/coupling/spread.h"
 #include "support/foreign_leaks.h"
+#include "support/graded_grid.h"
 
 namespace scree {
 namespace {
-
-Grid graded_grid(bool periodic) {
-  Grid g;
-  g.faces = {graded_faces(0, {{1.0, 7, 3.0}, {1.5, 3, 1.0}}), graded_faces(-1, {{0.5, 6, 0.4}}),
-             graded_faces(0, {{0.3, 4, 1.0}})};
-  g.periodic = {periodic, periodic, periodic};
-  return g;
-}
-
-FluidRegion region_of(const Grid& grid) {
-  FluidRegion r;
-  r.grid = grid;
-  r.blocks = {grid.all()};
-  return r;
-}
 
 /// Quadratic B-spline by the recursion of Cox and de Boor.
 double spline(const std::vector<double>& t, int i, int order, double x) {
