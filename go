@@ -3,8 +3,8 @@
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")"
 
-demo_name=taylor_green_agglomeration
-demo_case=examples/01_$demo_name/case.toml
+demo_name=fluidised_bed
+demo_case=examples/30_$demo_name/case.toml
 demo_directory=runs/$demo_name
 
 usage() {
@@ -101,8 +101,9 @@ demo() {
   build/release/scree plot "$demo_directory"
   cat <<TEXT
 
-The pictures are   $demo_directory/particles.png
-                   $demo_directory/series.png
+The pictures are   $demo_directory/particles.png (the bed at the end)
+                   $demo_directory/series.png (the pressure drop of the bed first)
+                   $demo_directory/fluid.png
 The numbers are    $demo_directory/series.csv (what is in it: docs/files.md)
 For ParaView       $demo_directory/fields.xdmf
 The case is        $demo_case; to make it yours:  build/release/scree new $demo_name

@@ -77,6 +77,11 @@ def draw_errors(axes, series):
         axes.legend(loc="best")
 
 
+def draw_pressure_drop(axes, series):
+    axes.set_title("Pressure drop from inlets to outlets")
+    draw_lines(axes, series, {"pressure_drop": "pressure drop"}, "Pa")
+
+
 def draw_contacts(axes, series):
     axes.set_title("Contacts")
     pair(axes, series, ("contacts", "contacts", 1), ("max_overlap", "largest overlap / smaller radius [%]", 100))
@@ -144,6 +149,8 @@ def panels_of(series):
     if "pressure_iterations" in series:
         return plot_fluid_series.panels_of(series)
     panels = [draw_energies, draw_exchanges, draw_errors, draw_contacts, draw_speeds]
+    if "pressure_drop" in series:
+        panels.insert(0, draw_pressure_drop)
     panels += [draw_agglomerates, draw_sizes, draw_structure] if "agglomerates" in series else [draw_momentum]
     if "inserted_mass" in series:
         panels.append(draw_passage)

@@ -28,8 +28,14 @@ density = 1000
 stiffness = 20
 restitution = 0.9
 friction = 0.2
+heat_capacity = 900
+conductivity = 2
+[heat]
+type = "solved"
+every = 3
 [[particles]]
 name = "balls"
+temperature = 360
 material = "seed"
 diameter = 0.0012
 insert = "random"
@@ -38,6 +44,7 @@ region_min = [0, 0.001, 0]
 region_max = [0.016, 0.012, 0.008]
 [[particles]]
 name = "rods"
+temperature = 290
 material = "seed"
 shape = "ellipsoid"
 half_axes = [0.0015, 0.0006, 0.0006]
@@ -51,6 +58,7 @@ material = "seed"
 type = "box"
 min = [0, 0, -1]
 max = [0.016, 0.032, 1]
+temperature = 340
 [fluid]
 type = "incompressible"
 density = 1.2
@@ -58,11 +66,17 @@ viscosity = 1.8e-5
 cells = [6, 12, 4]
 x = [{ to = 0.016, cells = 6, ratio = 2 }]
 convection = "van_leer"
+[fluid.heat]
+type = "solved"
+heat_capacity = 1000
+conductivity = 0.025
+temperature = "300"
 [[fluid.patches]]
 name = "in"
 face = "y_min"
 type = "inlet"
 velocity = ["0", "0.9", "0"]
+temperature = "310"
 [[fluid.patches]]
 name = "out"
 face = "y_max"

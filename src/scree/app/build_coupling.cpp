@@ -5,6 +5,7 @@
 
 #include "scree/app/build_fluid.h"
 #include "scree/app/build_forces.h"
+#include "scree/app/build_heat.h"
 #include "scree/app/derived.h"
 #include "scree/input/located.h"
 
@@ -50,6 +51,7 @@ CouplingSettings build_coupling_settings(const Case& c, const std::vector<BodyKi
   s.least_fraction = k.least_void_fraction;
   s.pressure = k.pressure_force;
   s.viscous_stress = k.viscous_stress;
+  s.nusselt = nusselt_law(c);
   return s;
 }
 
@@ -57,6 +59,7 @@ FluidSettings build_loaded_fluid(const Case& c) {
   FluidSettings s = build_fluid_settings(c);
   s.loaded = s.moving_void_fraction = true;
   s.whole_friction = c.coupling.viscous_stress;
+  s.heat_loaded = exchanges_heat(c);
   return s;
 }
 

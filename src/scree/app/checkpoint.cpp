@@ -39,6 +39,9 @@ StateShare Simulation::share() {
   out.head.set("groups", group_names(case_));
   save_forms(system.forms, out.head);
   exchange_.save(out.head);
+  if (heat_)
+    out.head.put("heat_books", std::vector<double>{heat_books_.start, heat_books_.from_fluid, heat_books_.from_walls,
+                                                   heat_books_.inserted, heat_books_.removed});
   if (coupling_) put_coupling(*coupling_, out.head);
   return out;
 }
@@ -76,6 +79,10 @@ void Simulation::restore(const Archive& archive) {
   system_.particles = particles_of(archive, ranks_);
   exchange_.restore(archive);
   planes_.restore(case_, archive, ranks_);
+  if (heat_) {
+    const std::span<const double> b = archive.get<double>("heat_books");
+    heat_books_ = {b[0], b[1], b[2], b[3], b[4]};
+  }
   clock_.step = archive.integer("step");
   tally_ = {archive.integer("contact_evaluations"), archive.integer("wall_contact_evaluations"),
             archive.integer("impacts"), archive.integer("impact_speed")};

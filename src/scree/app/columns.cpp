@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "scree/app/build_exchange.h"
+#include "scree/app/build_heat.h"
 #include "scree/app/coupling_columns.h"
 #include "scree/app/measures.h"
 #include "scree/base/version.h"
@@ -67,8 +68,9 @@ std::vector<std::string> series_columns(const Case& c) {
   for (const WallKeys& wall : c.walls)
     for (const char* quantity : {"force", "torque"})
       for (const char axis : {'x', 'y', 'z'}) names.push_back(wall.name + "_" + quantity + "_" + axis);
-  const std::vector<std::string> measures = measure_columns(c), fluid = coupled_columns(c);
+  const std::vector<std::string> measures = measure_columns(c), heat = heat_columns(c), fluid = coupled_columns(c);
   names.insert(names.end(), measures.begin(), measures.end());
+  names.insert(names.end(), heat.begin(), heat.end());
   names.insert(names.end(), fluid.begin(), fluid.end());
   return names;
 }
@@ -128,6 +130,7 @@ std::vector<double> values_of(const SeriesRow& r) {
     v.insert(v.end(), load.torque.begin(), load.torque.end());
   }
   v.insert(v.end(), r.measures.begin(), r.measures.end());
+  v.insert(v.end(), r.heat.begin(), r.heat.end());
   v.insert(v.end(), r.fluid.begin(), r.fluid.end());
   return v;
 }

@@ -51,6 +51,7 @@ struct SeriesRow {
   std::optional<AgglomerateSummary> agglomerates;
   std::vector<WallLoad> wall_loads;
   std::vector<double> measures;  // of planes, surfaces and regions
+  std::vector<double> heat;      // heat_row()
   std::vector<double> fluid;     // Simulation::fluid_row()
 };
 

@@ -49,6 +49,7 @@ std::vector<std::string> coupled_columns(const Case& c) {
   names.erase(names.begin(), names.begin() + clock_columns);
   for (std::string& name : names)
     if (!names_a_place(c, name)) name = "fluid_" + name;
+  if (exchanges_heat(c)) names.push_back("heat_exchange_error");
   names.insert(names.end(), {"pressure_drop", "coupling_error", "least_void_fraction", "crowded_cells"});
   return names;
 }
@@ -62,6 +63,7 @@ std::vector<double> coupled_row(const Case& c, const FluidCoupling& coupling, co
   std::vector<double> row = fluid_row(c, coupling.fluid, tally);
   row.erase(row.begin(), row.begin() + clock_columns);
   const CouplingBooks& b = coupling.books;
+  if (exchanges_heat(c)) row.push_back(b.heat_error);
   row.insert(row.end(), {pressure_drop(coupling.fluid), std::hypot(b.error[0], b.error[1], b.error[2]),
                          b.least_fraction, b.crowded});
   return row;

@@ -143,8 +143,8 @@ void put_coupling(const FluidCoupling& coupling, Archive& out) {
     out.put(name, gather_cells(coupling.fluid, field));
   });
   const CouplingBooks& b = coupling.books;
-  out.put("coupling_books",
-          std::vector<double>{b.error[0], b.error[1], b.error[2], b.turned, b.crowded, b.least_fraction});
+  out.put("coupling_books", std::vector<double>{b.error[0], b.error[1], b.error[2], b.turned, b.crowded,
+                                                b.least_fraction, b.heat_error, b.heat_to_particles});
 }
 
 void restore_coupling(FluidCoupling& coupling, const Archive& archive) {
@@ -153,7 +153,7 @@ void restore_coupling(FluidCoupling& coupling, const Archive& archive) {
   });
   restore_fluid(coupling.fluid, archive);
   const std::span<const double> b = archive.get<double>("coupling_books");
-  coupling.books = {{b[0], b[1], b[2]}, b[3], b[4], b[5]};
+  coupling.books = {{b[0], b[1], b[2]}, b[3], b[4], b[5], b[6], b[7]};
 }
 
 std::string fluid_hash(const FluidSolver& s) {

@@ -11,8 +11,8 @@ namespace scree {
 namespace {
 
 /// In every frame; in those of a case that chooses nothing (of agglomerates: with their analysis; of shapes: where some
-/// particle is no sphere; of others: where some is no superellipsoid); on request only.
-enum class Part { always, usual, of_agglomerates, of_shapes, of_others, extra };
+/// particle is no sphere; of others: where some is no superellipsoid; of heat: where they have one); on request only.
+enum class Part { always, usual, of_agglomerates, of_shapes, of_others, of_heat, extra };
 
 struct FrameField {
   const char *name, *unit, *meaning;
@@ -46,6 +46,7 @@ constexpr FrameField fields[] = {
     {"shape_file", "1",
      "Number in the name of the file shape_N.obj with the surface over the half axes; -1: superellipsoid.",
      Part::of_others, Element::int32, 1, SCREE_VALUES(shape_file)},
+    {"temperature", "K", "Temperature.", Part::of_heat, Element::float64, 1, SCREE_VALUES(temperature)},
     {"agglomerate", "1", "Smallest id in the agglomerate; -1 for a single particle.", Part::of_agglomerates,
      Element::int64, 1, SCREE_VALUES(agglomerate)},
     {"agglomerate_size", "1", "Number of particles in the agglomerate.", Part::of_agglomerates, Element::int32, 1,
@@ -64,10 +65,11 @@ constexpr FrameField fields[] = {
 bool chosen(const FrameField& field, const OutputKeys& output, FrameParts there) {
   if (field.part == Part::of_shapes && !there.shapes) return false;
   if (field.part == Part::of_others && !there.others) return false;
+  if (field.part == Part::of_heat && !there.heat) return false;
   if (field.part == Part::always) return true;
   if (!output.fields.empty()) return std::ranges::find(output.fields, field.name) != output.fields.end();
   return field.part == Part::usual || field.part == Part::of_shapes || field.part == Part::of_others ||
-         (field.part == Part::of_agglomerates && there.agglomerates);
+         field.part == Part::of_heat || (field.part == Part::of_agglomerates && there.agglomerates);
 }
 
 bool in_single(const FrameField& field, const OutputKeys& output) {
@@ -99,7 +101,7 @@ FrameData frame_data(const Sample& sample, bool agglomerates) {
   const std::vector<std::int32_t> contacts = count_contacts(sample.system);
   FrameData d;
   const bool others = has_other_shapes(sample.system.forms);
-  d.there = {agglomerates, p.shaped(), others};
+  d.there = {agglomerates, p.shaped(), others, p.warm()};
   Agglomerates found;
   if (agglomerates) found = find_agglomerates(p, sample.system.domain, bonds_of(sample.system));
   for (const std::uint32_t i : order_by_id(p)) {
@@ -117,6 +119,7 @@ FrameData frame_data(const Sample& sample, bool agglomerates) {
       d.unwrapped_position.push_back(m[k] + p.image.row(i)[k] * sample.system.domain.length(k));
     d.effect_diameter.push_back(2 * (p.radius_by_volume(i) + p.effect_excess[i]));
     if (p.shaped()) add_shape(sample.system, i, others, d);
+    if (p.warm()) d.temperature.push_back(p.heat.row(i)[lane::temperature]);
     d.contacts.push_back(contacts[i]);
     if (!agglomerates) continue;
     d.agglomerate.push_back(found.label[i]);

@@ -15,6 +15,7 @@ namespace scree {
 struct FrameParts {
   bool agglomerates = false, shapes = false;
   bool others = false;  // some shapes are no superellipsoids
+  bool heat = false;    // particles have a temperature
 };
 
 /// Values for the frames, in the order of ids.
@@ -26,6 +27,7 @@ struct FrameData {
   std::vector<std::int32_t> agglomerate_size;
   std::vector<double> orientation, half_axes, exponents;  // empty if all particles are spheres
   std::vector<std::int32_t> shape_file;                   // empty if all are superellipsoids
+  std::vector<double> temperature;                        // empty if particles have none
   std::vector<double> force, unwrapped_position, effect_diameter;
   std::vector<std::int32_t> contacts;
   FrameParts there;

@@ -99,7 +99,7 @@ void add_output_cost(const Case& c, const Walls& walls, double steps, DerivedCos
   cost.rows = !moves ? 1 : output.series > 0 ? times(end, output.series) + 1 : 201;
   cost.checkpoints = output.checkpoints > 0 ? std::max<std::uint64_t>(1, times(end, output.checkpoints)) : 1;
   cost.frame_bytes = n * static_cast<double>(frame_bytes_per_particle(
-                             output, {c.analysis.agglomerates, has_shapes(c), has_other_shapes(c)})) +
+                             output, {c.analysis.agglomerates, has_shapes(c), has_other_shapes(c), warms(c)})) +
                      bytes_per_frame_file;
   cost.row_bytes =
       bytes_per_number * static_cast<double>(series_columns(c).size() + output.tracks.size() * track_columns().size());

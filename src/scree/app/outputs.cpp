@@ -135,6 +135,7 @@ void Outputs::append_row(Simulation& simulation) {
     agglomerated_ = wanted > 0 && row.agglomerates->agglomerated_fraction > wanted;
   }
   measures_.count(simulation);
+  row.heat = facts.heat;
   row.measures = measures_.row(simulation, facts.regions);
   if (simulation.coupling()) row.fluid = fluid_row_ = simulation.fluid_row();
   series_->append(values_of(row));

@@ -8,6 +8,7 @@
 
 #include "scree/app/build_coupling.h"
 #include "scree/app/build_fluid.h"
+#include "scree/app/build_heat.h"
 #include "scree/app/coupling_columns.h"
 #include "scree/app/derived.h"
 #include "scree/app/device_run.h"
@@ -16,6 +17,7 @@
 #include "scree/app/models.h"
 #include "scree/app/take_over.h"
 #include "scree/coupling/forces.h"
+#include "scree/fluid/scalar.h"
 
 namespace scree {
 Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const Ranks& ranks,
@@ -49,9 +51,17 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const R
   typical_impact_ = scree::typical_impact(c, system_.materials, kinds);
   sample_.with_contact_forces = whole_sample_.with_contact_forces = c.output.contacts || !c.analysis.averages.empty();
   for (const RegionKeys& keys : c.analysis.regions) regions_.push_back({keys.min, keys.max});
+  heat_ = build_heat(c);
   if (resumed) return;
+  if (heat_) {
+    system_.particles.give_heat();
+    warm_up(*heat_, system_.particles);
+  }
   settle();
-  if (coupling_) begin_coupling(*coupling_, system_.particles, place_formulas(c.fluid.velocity));
+  if (heat_) heat_books_.start = heat_content(system_.particles, ranks_);
+  if (!coupling_) return;
+  set_scalars(coupling_->fluid, scalars_at_start(c));
+  begin_coupling(*coupling_, system_.particles, place_formulas(c.fluid.velocity));
 }
 
 void Simulation::step() {
@@ -67,6 +77,7 @@ void Simulation::advance() {
   move_walls(clock_.now());
   exchange_particles();
   refresh_neighbours();
+  conduct_heat();
   step_fluid();
   if (!prescribed_.empty()) together([&] { look_ahead(prescribed_, system_.particles, clock_.now(), clock_.dt); });
   system_.hard ? collide_particles() : advance_particles();
@@ -92,8 +103,16 @@ void Simulation::exchange_particles() {
   if (coupling_)
     hand_back(*coupling_, system_.particles, find_leavers(system_.particles, system_.domain, exchange_.outlets()));
   bool changed = false;
+  const double warmth = heat_ ? heat_content(system_.particles, ranks_) : 0;
   together([&] { changed = exchange_.run(system_, lists_, fields_, field, moment, team_); });
   if (!changed) return;
+  if (heat_) {
+    const double left = heat_content(system_.particles, ranks_);
+    warm_up(*heat_, system_.particles);
+    heat_books_.removed += warmth - left;
+    heat_books_.inserted += heat_content(system_.particles, ranks_) - left;
+    lists_.ghosts_current = false;
+  }
   note_owners();
   findings_.fastest2 = ranks_.largest(fastest_square(system_.particles));
   count_ = ranks_.total(static_cast<std::int64_t>(system_.particles.size()));
@@ -104,11 +123,23 @@ void Simulation::refresh_neighbours() {
   if (refresh_lists(system_, lists_, team_)) note_owners();
 }
 
+/// Heat passes through the contacts, as they and the temperatures are now.
+void Simulation::conduct_heat() {
+  if (!heat_ || !heat_->conduction || clock_.step % heat_->every != 0) return;
+  const Stopwatch watch(stages_, "heat");
+  together([&] {
+    update_ghosts(system_, lists_);
+    conduct(*heat_, system_, ranks_, heat_->every * clock_.dt, heat_books_);
+  });
+}
+
 /// The fluid goes ahead by as many steps as the particles then follow with what it has said.
 void Simulation::step_fluid() {
   if (!coupling_ || clock_.step % coupling_->settings.subcycles != 0) return;
   const Stopwatch watch(stages_, "fluid");
+  const double before = coupling_->books.heat_to_particles;
   together([&] { advance_fluid(*coupling_, system_.particles); });
+  heat_books_.from_fluid += coupling_->books.heat_to_particles - before;
   count(fluid_tally_, coupling_->report);
 }
 

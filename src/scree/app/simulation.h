@@ -29,6 +29,7 @@
 #include "scree/output/archive.h"
 #include "scree/output/frames.h"
 #include "scree/particles/hard/step.h"
+#include "scree/particles/heat.h"
 #include "scree/particles/sample.h"
 
 namespace scree {
@@ -74,6 +75,7 @@ struct RowFacts {
   Speeds speeds;
   std::vector<double> regions;  // solid fraction and coordination number of each
   std::vector<double> tracks;   // rows of the particles that are followed
+  std::vector<double> heat;     // heat_row()
 };
 
 /// What has been counted since the start.
@@ -207,6 +209,7 @@ class Simulation {
   void note_owners();
   void look_at_planes();
   void refresh_neighbours();
+  void conduct_heat();
   void step_fluid();
   void evaluate_own_fields(double time);
   void evaluate_fields(const ParticleSystem& system, double time, Buffer<sc_field>& field);
@@ -256,6 +259,8 @@ class Simulation {
   HardStep hard_;
   std::unique_ptr<FluidCoupling> coupling_;
   FluidTally fluid_tally_;
+  std::optional<HeatProperties> heat_;
+  HeatBooks heat_books_;
 };
 
 }  // namespace scree

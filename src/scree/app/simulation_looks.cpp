@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "scree/app/build_heat.h"
 #include "scree/app/columns.h"
 #include "scree/app/contact_fields.h"
 #include "scree/app/device_run.h"
@@ -81,6 +82,7 @@ RowFacts Simulation::look_at_share() {
       out.regions.push_back(coordination_number(region, s.particles, contacts, ranks_));
     }
   }
+  if (heat_) out.heat = heat_row(heat_facts(s.particles, ranks_), heat_books_);
   // A particle is on one rank: each looks for each of them.
   for (const std::uint64_t id : case_.output.tracks) {
     const std::vector<double> mine = track_rows(now, {id}, clock_.now());
@@ -122,7 +124,8 @@ void Simulation::frame_share(FrameWriter* frames, FrameWriter* contacts) {
 FrameData Simulation::frame_data_share() {
   if (!case_.analysis.agglomerates) return frame_data(sample(), false);
   return ranks_.root() ? frame_data(whole_sample(), true)
-                       : no_frame_data({true, system_.particles.shaped(), has_other_shapes(system_.forms)});
+                       : no_frame_data({true, system_.particles.shaped(), has_other_shapes(system_.forms),
+                                        system_.particles.warm()});
 }
 
 bool Simulation::is_finite() {

@@ -76,7 +76,8 @@ Bytes particles_for_hash(const Archive& archive) {
   const auto id = archive.get<std::int64_t>("id");
   const auto motion = archive.get<double>("motion", 8), spin = archive.get<double>("spin", 4);
   std::span<const std::int32_t> form;
-  std::span<const double> orientation, momentum;
+  std::span<const double> orientation, momentum, heat;
+  if (archive.contains("heat")) heat = archive.get<double>("heat", 2);
   if (shaped) {
     form = archive.get<std::int32_t>("form");
     orientation = archive.get<double>("orientation", 4);
@@ -87,6 +88,7 @@ Bytes particles_for_hash(const Archive& archive) {
     append(out, &id[i], sizeof id[i]);
     append_plain(out, motion.subspan(8 * i, 8));
     append_plain(out, spin.subspan(4 * i, 4));
+    if (!heat.empty()) append_plain(out, heat.subspan(2 * i, 2));
     if (!shaped) continue;
     append(out, &form[i], sizeof form[i]);
     append_plain(out, orientation.subspan(4 * i, 4));

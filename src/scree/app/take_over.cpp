@@ -73,6 +73,7 @@ Archive checkpoint_of(const Case& c, const ParticleKeys& keys) {
 Particles particles_of(const Archive& archive, const Ranks& ranks) {
   Particles out(archive.contains("form"));
   if (archive.contains("stream")) out.couple(archive.contains("gradient"));
+  if (archive.contains("heat")) out.give_heat();
   out.resize(equal_part(static_cast<std::uint64_t>(archive.integer("particles")), ranks).second);
   out.for_each_field([&](std::string_view name, auto& column, Travels, bool saved, auto) {
     if (!saved) return;

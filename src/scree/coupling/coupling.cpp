@@ -8,7 +8,9 @@
 #include "scree/compute/launch.h"
 #include "scree/coupling/crowding.h"
 #include "scree/coupling/forces.h"
+#include "scree/coupling/heat.h"
 #include "scree/coupling/passage.h"
+#include "scree/data/form_surface.h"
 #include "scree/fluid/halo.h"
 #include "scree/physics/math.h"
 #include "scree/physics/vec.h"
@@ -65,7 +67,8 @@ void take_stock(const FluidCoupling& c, Particles& p, Quantity& surplus) {
   });
 }
 
-/// The deposits of two kinds in cells of this rank, as numbers of cells.
+}  // namespace
+
 void read_component(const Mesh& m, const Deposits& sums, int component, double scale, Field& out) {
   for_each_row(m, [&](int j, int k) {
     const std::int64_t at = m.index(0, j, k);
@@ -75,6 +78,8 @@ void read_component(const Mesh& m, const Deposits& sums, int component, double s
           static_cast<double>(sums.values[static_cast<std::size_t>(from + std::int64_t{i} * sums.width)]) / scale;
   });
 }
+
+namespace {
 
 /// What has passed the faces of the cells: with the particles, and by what spreads and relieves them further, as much
 /// as that has changed since the last step.
@@ -137,7 +142,8 @@ void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x) {
   });
 }
 
-/// What the fluid's fields are at the particles: with the operator that spread the particles.
+}  // namespace
+
 std::vector<double> meet(FluidCoupling& c, const Particles& p, const CellBox& box,
                          const std::vector<const VectorField*>& vectors, bool with_fraction) {
   const Mesh& m = c.fluid.mesh;
@@ -165,6 +171,8 @@ std::vector<double> meet(FluidCoupling& c, const Particles& p, const CellBox& bo
   read_at(c.spreading, p, c.exchange.fetch(box, fields), out);
   return out;
 }
+
+namespace {
 
 void put(sc_vec from, double* to) { to[0] = from.x, to[1] = from.y, to[2] = from.z; }
 
@@ -313,6 +321,8 @@ FluidCoupling::FluidCoupling(const FluidRegion& region, FluidSettings k, const C
       amounts(fluid.mesh.make_vector()),
       densities(fluid.mesh.make_vector()) {
   know_shapes(settings.forces, forms);
+  for (const Form& form : forms) surface_over_sphere.push_back(1 / sphericity(form.volume, surface_of(form)));
+  if (forms.empty()) surface_over_sphere.push_back(1);
   if (settings.diffusion > 0) diffusion = make_diffusion(fluid.mesh, fluid.ranks, settings.diffusion);
 }
 
@@ -361,8 +371,10 @@ void advance_fluid(FluidCoupling& c, Particles& p) {
   find_fraction(c, p, x);
   find_drag(c, p, x);
   load_fluid(c, p, x);
+  const HeatPromise heat = load_heat(c, p, x.box);
   c.report = advance(c.fluid, c.settings.fluid_step());
   promise(c, p, x);
+  keep_promise(c, heat, x.box, p);
   close_books(c, p, x);
   note_meeting(p);
 }

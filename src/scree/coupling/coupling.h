@@ -22,6 +22,7 @@ struct CouplingSettings {
   double least_fraction = 0;    // of a cell's volume that is fluid, below which solids go to its neighbours
   bool pressure = true;         // particles feel the pressure gradient of the fluid
   bool viscous_stress = false;  // and its friction; the fluid's settings then have whole_friction
+  int nusselt = 0;              // SC_NUSSELT_...: of the heat between particles and fluid
 
   double fluid_step() const { return subcycles * step; }
 };
@@ -32,6 +33,8 @@ struct CouplingBooks {
   double turned = 0;              // sum of the sizes of what they have been promised [N s]
   double crowded = 0;             // cells that had to pass solids on to their neighbours, summed over the steps
   double least_fraction = 1;      // of a cell's volume that was fluid in the last step
+  double heat_error = 0;          // of the heat that the cells have given away the particles have not received [J]
+  double heat_to_particles = 0;   // that particles have received [J]
 };
 
 struct FluidCoupling {
@@ -51,11 +54,20 @@ struct FluidCoupling {
   // How much what particles spread is spread further, see diffuse() and relieve_crowding(); in the last step.
   Field levels, surpluses;
   VectorField amounts, densities;
+  std::vector<double> surface_over_sphere;  // of each form, over that of the sphere of equal volume
 };
 
 /// The momentum that is on its way from the fluid to the particles: promised in the last step of the fluid and not yet
 /// received; of this rank [N s]. That of fluid and particles together with it is constant.
 std::array<double, 3> under_way(const Particles& particles);
+
+/// What fields of the fluid are at the particles of this rank, with the operator that spread the particles: for each
+/// the three of every vector, then, if asked for, the void fraction. `box` is what the particles touch.
+std::vector<double> meet(FluidCoupling& coupling, const Particles& particles, const CellBox& box,
+                         const std::vector<const VectorField*>& vectors, bool with_fraction);
+
+/// Component of deposits in the cells of this rank, as numbers of cells.
+void read_component(const Mesh& mesh, const Deposits& sums, int component, double scale, Field& out);
 
 /// Puts the particles into a fluid that begins with a velocity.
 void begin_coupling(FluidCoupling& coupling, Particles& particles, const std::array<PlaceFormula, 3>& velocity);

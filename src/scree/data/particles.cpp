@@ -55,10 +55,16 @@ void Particles::couple(bool with_turning) {
   resize(size_);
 }
 
+void Particles::give_heat() {
+  warm_ = true;
+  resize(size_);
+}
+
 Particles Particles::none_alike() const {
   Particles none(shaped_);
   none.coupled_ = coupled_;
   none.turned_ = turned_;
+  none.warm_ = warm_;
   return none;
 }
 
@@ -76,6 +82,9 @@ void Particles::append(const Particles& others) {
   }
   if (turned_ && others.turned_) {
     SCREE_TURNED_FIELDS(FIELD)
+  }
+  if (warm_ && others.warm_) {
+    SCREE_HEAT_FIELDS(FIELD)
   }
 #undef FIELD
 }

@@ -58,6 +58,9 @@ enum class Travels { always, with_lists, on_migration };
   FIELD(gradient, double, 10, on_migration, true, \
         "of the fluid's velocity, a row for each component [1/s], void fraction")
 
+// Only where particles have a temperature.
+#define SCREE_HEAT_FIELDS(FIELD) FIELD(heat, double, 2, always, true, "temperature [K], heat capacity [J/K]")
+
 /// One field: `components` values per particle, contiguous.
 template <class T, int Components>
 struct Column {
@@ -78,6 +81,8 @@ enum : int { sx = 0, sy = 1, sz = 2, inverse_radius = 3 };
 /// Of ::angular_momentum, and of ::inertia.
 enum : int { path = 3 };
 enum : int { radius_by_volume = 3 };
+/// Of Particles::heat.
+enum : int { temperature = 0, heat_capacity = 1 };
 }  // namespace lane
 
 class Particles {
@@ -92,6 +97,7 @@ class Particles {
   SCREE_SHAPE_FIELDS(FIELD)
   SCREE_COUPLED_FIELDS(FIELD)
   SCREE_TURNED_FIELDS(FIELD)
+  SCREE_HEAT_FIELDS(FIELD)
 #undef FIELD
 
   /// The particles that this rank moves.
@@ -115,6 +121,12 @@ class Particles {
   /// Adds the fields of a coupling, all zero; `with_turning`: that turns particles, too.
   void couple(bool with_turning);
 
+  /// Whether particles have a temperature.
+  bool warm() const { return warm_; }
+
+  /// Adds the fields of heat, all zero.
+  void give_heat();
+
   /// No particles, with the same fields.
   Particles none_alike() const;
 
@@ -134,8 +146,8 @@ class Particles {
   /// other ranks' particles.
   void permute(const std::vector<std::uint32_t>& order);
 
-  /// Adds copies of all the others after those that are there. Both have shapes, or neither; fields of a coupling are
-  /// zero where the others have none.
+  /// Adds copies of all the others after those that are there. Both have shapes, or neither; fields of a coupling and
+  /// of heat are zero where the others have none.
   void append(const Particles& others);
 
   /// Calls visit(name, column, travels, saved, doc) for every field, in the order of the table.
@@ -153,6 +165,9 @@ class Particles {
     if (turned_) {
       SCREE_TURNED_FIELDS(FIELD)
     }
+    if (warm_) {
+      SCREE_HEAT_FIELDS(FIELD)
+    }
 #undef FIELD
   }
 
@@ -168,7 +183,7 @@ class Particles {
 
  private:
   std::size_t size_ = 0, ghosts_ = 0;
-  bool shaped_ = false, coupled_ = false, turned_ = false;
+  bool shaped_ = false, coupled_ = false, turned_ = false, warm_ = false;
 };
 
 /// The places of all particles in the order of their ids.

@@ -16,6 +16,15 @@ void for_each_cell(const Mesh& m, Visit&& visit) {
         if (m.fluid[m.index(i, j, k)] > 0) visit(m.index(i, j, k), m.centre(i, j, k));
 }
 
+/// Calls visit(place in the arrays, volume) for every cell of fluid of this rank.
+template <class Visit>
+void for_each_volume(const Mesh& m, Visit&& visit) {
+  for (int k = 0; k < m.n[2]; ++k)
+    for (int j = 0; j < m.n[1]; ++j)
+      for (int i = 0; i < m.n[0]; ++i)
+        if (const std::int64_t c = m.index(i, j, k); m.fluid[c] > 0) visit(c, m.cell_volume(i, j, k));
+}
+
 /// The present becomes the old one, the old one the older one, and the estimate of the next one takes its place.
 inline void shift(Field& now, Field& old, Field& older, double ratio) {
   std::swap(older, old);

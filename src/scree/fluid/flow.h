@@ -69,6 +69,8 @@ struct FluidSettings {
   // Whether friction acts by the whole viscosity, whatever part of the volume is fluid: who fills the rest takes its
   // part of it by FluidLoad::push.
   bool whole_friction = false;
+  // Likewise heat: FluidLoad::heat_rate and heat_push.
+  bool heat_loaded = false;
   std::vector<PatchValues> patches;            // as those of the region
   double divergence_tolerance = 1e-8;          // error of volume in a step, over the volume of the cell
   double viscous_tolerance = 1e-8;             // error of the viscous solve over its first correction
@@ -152,6 +154,8 @@ struct FluidLoad {
   // Of what else is there, with `loaded` only: its volume flux per area in the cells [m/s], and the volume of it that
   // has passed the faces since the last step [m3], exactly as much as the void fraction has changed by.
   VectorField solids, passed;
+  // heat_push - heat_rate * temperature is what enters of heat [W/(m3 K)], [W/m3]; empty without.
+  Field heat_rate, heat_push;
   // Answer: the pressure gradient that each cell has felt in the last step [Pa/m]; with `loaded` only. Over the cells
   // it sums to the pressure on the boundary.
   VectorField gradient;

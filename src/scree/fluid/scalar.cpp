@@ -11,6 +11,13 @@
 namespace scree {
 namespace {
 
+constexpr double to_the_last_bits = 1e-14;  // of a solve
+
+/// Whether somebody else in the flow gives it of this quantity.
+bool is_loaded(const FluidSolver& s, std::size_t n) {
+  return s.settings.heat_loaded && static_cast<int>(n) == s.settings.temperature;
+}
+
 /// Of a cell, with what eddies do.
 double conductivity(const FluidSolver& s, std::size_t n, std::int64_t c) {
   const ScalarWork& w = s.work.scalars[n];
@@ -94,12 +101,9 @@ void find_diagonal(FluidSolver& s, std::size_t n, const Bdf& bdf) {
   ScalarWork& w = s.work.scalars[n];
   Field& own = w.equation.per_diagonal[0];
   const double inertia = s.settings.scalars[n].capacity * bdf.a0 / bdf.dt;
-  for (int k = 0; k < m.n[2]; ++k)
-    for (int j = 0; j < m.n[1]; ++j)
-      for (int i = 0; i < m.n[0]; ++i) {
-        const std::int64_t c = m.index(i, j, k);
-        own[c] = m.fluid[c] > 0 ? m.cell_volume(i, j, k) * inertia * s.state.fraction[c] : 0;
-      }
+  for_each_volume(m, [&](std::int64_t c, double volume) {
+    own[c] = volume * (inertia * s.state.fraction[c] + (is_loaded(s, n) ? s.load.heat_rate[c] : 0.0));
+  });
   for (std::size_t i = 0; i < s.boundary.size(); ++i)
     own[s.boundary[i].cell] += conduction(s, s.boundary[i], w.boundary[i]).own;
   complete(w.equation, m, s.ranks);
@@ -134,6 +138,11 @@ void find_rhs(FluidSolver& s, std::size_t n, const Bdf& bdf) {
     w.rhs[s.boundary[i].cell] += in;
     w.entered += in;
   }
+  if (is_loaded(s, n))
+    for_each_volume(m, [&](std::int64_t c, double volume) {
+      w.rhs[c] += volume * s.load.heat_push[c];
+      w.entered += volume * s.load.heat_push[c];
+    });
   if (!k.source) return;
   const double time = s.state.time + bdf.dt;
   for (int z = 0; z < m.n[2]; ++z)
@@ -222,12 +231,17 @@ void solve_scalars(FluidSolver& s, const Bdf& bdf, StepReport& report) {
     ScalarWork& w = s.work.scalars[n];
     Field& value = s.state.scalars[n].value;
     find_rhs(s, n, bdf);
-    const HelmholtzReport found = solve(s.mesh, s.ranks, w.equation, std::span(&w.rhs, 1), s.settings.viscous_tolerance,
+    // What passes between the fluid and others must not be missed by the tolerance.
+    const double tolerance = is_loaded(s, n) ? to_the_last_bits : s.settings.viscous_tolerance;
+    const HelmholtzReport found = solve(s.mesh, s.ranks, w.equation, std::span(&w.rhs, 1), tolerance,
                                         {std::span(&value, 1), std::span(&w.spare, 1)});
     report.scalar_iterations += found.iterations;
     renew_ghosts(s.mesh, s.ranks, 2, {&value});
     for (std::size_t i = 0; i < s.boundary.size(); ++i)
       w.entered -= conduction(s, s.boundary[i], w.boundary[i]).own * value[s.boundary[i].cell];
+    if (is_loaded(s, n))
+      for_each_volume(s.mesh,
+                      [&](std::int64_t c, double volume) { w.entered -= volume * s.load.heat_rate[c] * value[c]; });
   }
 }
 

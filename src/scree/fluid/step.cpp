@@ -124,6 +124,10 @@ FluidLoad make_load(const Mesh& m, const FluidSettings& k) {
     load.push = m.make_vector();
   if (k.loaded)
     for (VectorField* v : {&load.gradient, &load.solids, &load.passed}) *v = m.make_vector();
+  if (k.heat_loaded) {
+    load.heat_rate = m.make_field();
+    load.heat_push = m.make_field();
+  }
   return load;
 }
 

@@ -79,6 +79,8 @@ struct MaterialKeys {
   double rolling_friction = 0, twisting_friction = 0;
   double cohesion_stiffness = 0;  // [N/m]
   double adhesion = 0;            // work of adhesion against itself [J/m2]
+  // [J/(kg K)], [W/(m K)]
+  std::optional<double> heat_capacity, conductivity;
 };
 
 /// What a pair of materials has of its own; what is empty is mixed from the two materials.
@@ -159,6 +161,7 @@ struct ParticleKeys {
   std::string source_group;         // checkpoint: the group that is taken over; empty: all that are free
   std::vector<Vec3> positions;      // positions: given one by one
   VelocityKeys velocity;
+  std::optional<double> temperature;
   Vec3 angular_velocity{};          // [rad/s]
   std::uint64_t attempts = 1000;    // random: tries per particle before giving up; rate: before waiting
   double mass_rate = 0;             // rate [kg/s]; 0: by number
@@ -210,7 +213,7 @@ struct WallKeys {
   double scale = 1;            // of the mesh [m]
   Vec3 offset{};               // of the mesh [m]
   double from = 0;             // [s]
-  std::optional<double> until;
+  std::optional<double> until, temperature;
   MotionKeys motion;
 };
 
@@ -321,6 +324,15 @@ struct CouplingKeys : FluidForceKeys {
   bool pressure_force = true, viscous_stress = false;
 };
 
+/// Heat of the particles.
+struct HeatKeys {
+  std::string type = "none";      // none, solved
+  std::string exchange = "gunn";  // with a fluid that carries heat: none, ranz_marshall, gunn
+  bool conduction = true;         // through contacts
+  double contact_radius = 1;      // of the conducting circle over Hertz'
+  std::uint64_t every = 1;        // steps between two looks at the contacts
+};
+
 struct CaseText;  // input/located.h
 
 struct Case {
@@ -332,6 +344,7 @@ struct Case {
   FlowKeys flow;
   FluidKeys fluid;
   CouplingKeys coupling;
+  HeatKeys heat;
   ContactKeys contact;
   HardKeys hard;
   std::vector<MaterialKeys> materials;
@@ -353,6 +366,14 @@ inline bool solves_flow(const Case& c) { return c.fluid.type != "none"; }
 
 /// Whether particles are in a flow that is solved for.
 inline bool couples(const Case& c) { return solves_flow(c) && !c.particles.empty(); }
+
+/// Whether particles have a temperature.
+inline bool warms(const Case& c) { return c.heat.type != "none" && !c.particles.empty(); }
+
+/// Whether they give heat to the fluid and take it.
+inline bool exchanges_heat(const Case& c) {
+  return warms(c) && couples(c) && c.fluid.heat.type != "none" && c.heat.exchange != "none";
+}
 
 /// Whether contacts of shapes are found by vertices.
 inline bool by_vertices(const Case& c) { return c.contact.detection == "vertices"; }

@@ -43,6 +43,7 @@ void check_walls(const Check& check);      // shapes, meshes, motions
 void check_particles(const Check& check);  // sizes, insertion, flow
 void check_fields(const Check& check);     // flows and body forces on periodic axes
 void check_fluid(const Check& check);      // a flow that is solved for: grid, blocks, boundary
+void check_heat(const Check& check);       // temperatures of particles
 void check_carried(const Check& check);    // what such a flow carries: heat, what is dissolved, eddies
 void check_output(const Check& check);     // fields of the frames
 void check_exchange(const Check& check);   // particles that come and go: rates, outlets

@@ -23,7 +23,7 @@ void check_formula(const Check& check, const std::string& path, const std::strin
 
 bool carries_heat(const Case& c) { return c.fluid.heat.type != "none"; }
 
-void check_heat(const Check& check) {
+void check_fluid_heat(const Check& check) {
   const FluidKeys& f = check.c.fluid;
   check_formula(check, "fluid.reference.temperature", f.reference.temperature, place);
   if (!carries_heat(check.c)) {
@@ -119,7 +119,7 @@ void check_averages(const Check& check) {
 }  // namespace
 
 void check_carried(const Check& check) {
-  check_heat(check);
+  check_fluid_heat(check);
   check_scalars(check);
   check_averages(check);
 }

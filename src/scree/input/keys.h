@@ -17,6 +17,7 @@ const Section& fluid_heat_section();
 const Section& fluid_scalars_section();
 const Section& fluid_turbulence_section();
 const Section& coupling_section();
+const Section& heat_section();
 const Section& contact_section();
 const Section& hard_section();
 const Section& materials_section();

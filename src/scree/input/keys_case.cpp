@@ -11,7 +11,8 @@ const Section& case_section() {
       {table("simulation", &Case::simulation, simulation_section()), table("domain", &Case::domain, domain_section()),
        table("gravity", &Case::gravity, gravity_section()), table("flow", &Case::flow, flow_section()),
        table("fluid", &Case::fluid, fluid_section()), table("coupling", &Case::coupling, coupling_section()),
-       table("contact", &Case::contact, contact_section()), table("hard", &Case::hard, hard_section()),
+       table("heat", &Case::heat, heat_section()), table("contact", &Case::contact, contact_section()),
+       table("hard", &Case::hard, hard_section()),
        tables<Case, MaterialKeys>(
            "materials", [](Case & c) -> auto& { return c.materials; }, materials_section()),
        tables<Case, PairKeys>(

@@ -44,7 +44,15 @@ const Section& materials_section() {
            .at_least(0),
        key("adhesion", &S::adhesion, "work of adhesion of this material against itself, for jkr")
            .unit("J/m2")
-           .at_least(0)},
+           .at_least(0),
+       key("heat_capacity", &S::heat_capacity, "of particles with a temperature")
+           .unit("J/(kg K)")
+           .above(0)
+           .defaults_to("none"),
+       key("conductivity", &S::conductivity, "for heat, of particles that conduct it through contacts")
+           .unit("W/(m K)")
+           .above(0)
+           .defaults_to("none")},
       [] { return std::make_shared<S>(); }};
   return section;
 }

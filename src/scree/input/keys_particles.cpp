@@ -251,7 +251,11 @@ const Section& particles_section() {
            .or_word("auto")
            .defaults_to("a tenth of the time that the insertion lasts")
            .only_with("insert", feed)
-           .may_change_at_restart()},
+           .may_change_at_restart(),
+       key("temperature", &S::temperature, "with [heat]: at the start, or as they come in")
+           .unit("K")
+           .at_least(0)
+           .defaults_to("none")},
       [] { return std::make_shared<S>(); }};
   return section;
 }

@@ -127,6 +127,10 @@ const Section& walls_section() {
            .only_with("type", {"mesh"}),
        key("from", &S::from, "when the wall appears").unit("s").at_least(0),
        key("until", &S::until, "when it is taken away").unit("s").above(0).defaults_to("never"),
+       key("temperature", &S::temperature, "with [heat]: that the wall keeps, up to its surface")
+           .unit("K")
+           .at_least(0)
+           .defaults_to("it lets no heat through"),
        table("motion", &S::motion, motion_section())},
       [] { return std::make_shared<S>(); }};
   return section;

@@ -122,6 +122,7 @@ Outcome evaluate(Table root, const std::string& path, const std::vector<std::str
   check_particles(check);
   check_fields(check);
   check_fluid(check);
+  check_heat(check);
   check_output(check);
   check_exchange(check);
   check_analysis(check);

@@ -1,5 +1,7 @@
 #include "scree/mpi/together.h"
 
+#include <bit>
+
 #include "scree/base/copy_bytes.h"
 
 namespace scree {
@@ -53,6 +55,11 @@ void add_up_exactly(std::span<ExactSum> mine, const Ranks& ranks) {
       mine[k].add(theirs);
     }
   }
+}
+
+double everywhere(ExactSum mine, const Ranks& ranks) {
+  add_up_exactly({&mine, 1}, ranks);
+  return std::bit_cast<double>(ranks.of_root(std::bit_cast<std::int64_t>(mine.value())));
 }
 
 }  // namespace scree

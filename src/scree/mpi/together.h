@@ -24,6 +24,9 @@ void show_in_turn(const Bytes& mine, const Ranks& ranks, const std::function<voi
 /// is used up.
 void add_up_exactly(std::span<ExactSum> mine, const Ranks& ranks);
 
+/// The sum over all ranks, on every one of them.
+double everywhere(ExactSum mine, const Ranks& ranks);
+
 /// The same for a structure that is made of exact sums and nothing else.
 template <class Sums>
 void add_up_sums(Sums& mine, const Ranks& ranks) {

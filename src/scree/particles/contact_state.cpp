@@ -129,6 +129,11 @@ double overlap_of_pair(const ParticleSystem& s, std::size_t c) {
   return touch_of_shapes(s, c).overlap;
 }
 
+double overlap_of_wall(const ParticleSystem& s, std::size_t p, std::int32_t w) {
+  return is_sphere(s.particles, p) ? touch_of_wall(s, p, s.wall_contacts.wall[w]).overlap
+                                   : gap_of_shape(s, p, w).overlap;
+}
+
 sc_contact_state state_of_pair(const ParticleSystem& s, std::size_t c) {
   return state_of(s.contacts.active, s.contacts.slide, s.contacts.roll, c);
 }

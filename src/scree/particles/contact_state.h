@@ -25,6 +25,9 @@ sc_sphere_touch touch_of_pair(const ParticleSystem& system, std::size_t c);
 /// By how much candidate pair c overlaps [m]; negative when apart.
 double overlap_of_pair(const ParticleSystem& system, std::size_t c);
 
+/// By how much particle p overlaps the face of its contact w with a wall [m]; negative when apart.
+double overlap_of_wall(const ParticleSystem& system, std::size_t p, std::int32_t w);
+
 /// What candidate pair c remembers.
 sc_contact_state state_of_pair(const ParticleSystem& system, std::size_t c);
 
