@@ -119,7 +119,9 @@ void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x) {
   launch(p.size(), [&](std::size_t i) { x.volume.values[i] = volume_of(p, i); });
   x.motion.values.resize(3 * p.size());
   launch(p.size(), [&](std::size_t i) {
-    for (int a = 0; a < 3; ++a) x.motion.values[3 * i + a] = x.volume.values[i] * p.motion.row(i)[lane::vx + a];
+    // Those of whom nothing is known at the faces count for nothing in the cells.
+    const double counted = has_passed(c.spreading, p, i) ? x.volume.values[i] : 0;
+    for (int a = 0; a < 3; ++a) x.motion.values[3 * i + a] = counted * p.motion.row(i)[lane::vx + a];
   });
   for (Quantity* q : {&x.volume, &x.motion}) q->scale = scale_for(*q, x.count, c.fluid.ranks);
   Deposits mine;
@@ -332,10 +334,10 @@ void begin_coupling(FluidCoupling& c, Particles& p, const std::array<PlaceFormul
   Particles before = p;
   for (std::size_t i = 0; i < p.size(); ++i)
     for (int a = 0; a < 3; ++a) before.motion.row(i)[a] -= c.settings.fluid_step() * p.motion.row(i)[lane::vx + a];
+  note_meeting(before);
   Exchanged x;
   find_fraction(c, before, x);
   set_velocity(c.fluid, velocity);
-  note_meeting(before);
   p.met_at = before.met_at;
   p.met_turned = before.met_turned;
 }

@@ -77,24 +77,35 @@ void deposit_axis(const Ways& w, int a, double amount, Deposits& out) {
     }
 }
 
+bool find_ways(const Spreading& s, sc_vec from, sc_vec to, Ways& ways) {
+  return find_way(s.axis[0], from.x, to.x, ways[0]) && find_way(s.axis[1], from.y, to.y, ways[1]) &&
+         find_way(s.axis[2], from.z, to.z, ways[2]) && !beside_blocked(s, ways);
+}
+
 void spread_some(const Spreading& s, const Particles& p, const Quantity& volume, std::size_t begin, std::size_t end,
                  Deposits& out) {
   Ways ways;
   for (std::size_t i = begin; i < end; ++i) {
-    if (p.met_at.row(i)[3] == 0) continue;
+    if (!has_passed(s, p, i)) continue;
     const BodyPoints from = points_before(s, p, i), to = points_of(s, p, i);
     const double amount = volume.values[i] * volume.scale * to.part();
     for (int n = 0; n < to.count; ++n) {
-      if (!find_way(s.axis[0], from.at[n].x, to.at[n].x, ways[0]) ||
-          !find_way(s.axis[1], from.at[n].y, to.at[n].y, ways[1]) ||
-          !find_way(s.axis[2], from.at[n].z, to.at[n].z, ways[2]) || beside_blocked(s, ways))
-        continue;
+      find_ways(s, from.at[n], to.at[n], ways);
       for (int a = 0; a < 3; ++a) deposit_axis(ways, a, amount, out);
     }
   }
 }
 
 }  // namespace
+
+bool has_passed(const Spreading& s, const Particles& p, std::size_t i) {
+  if (p.met_at.row(i)[3] == 0) return false;
+  const BodyPoints from = points_before(s, p, i), to = points_of(s, p, i);
+  Ways ways;
+  for (int n = 0; n < to.count; ++n)
+    if (!find_ways(s, from.at[n], to.at[n], ways)) return false;
+  return true;
+}
 
 void spread_passage(const Spreading& s, const Particles& p, const Quantity& volume, const CellBox& box, Deposits& out) {
   out.shape(box, 3);

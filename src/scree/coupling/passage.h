@@ -6,9 +6,13 @@
 
 namespace scree {
 
+/// Whether what a particle has carried through faces since the fluid's last step is known. Not so for one that the
+/// fluid has not met before, that has leapt over more cells than it touches, or that is beside cells without fluid.
+bool has_passed(const Spreading& spreading, const Particles& particles, std::size_t i);
+
 /// Shares out what has passed the lower faces of the cells along x, y, z since the fluid's last step, of `volume`. In
-/// the direction of the axes it counts positive. Particles that the fluid has not met before, that have leapt over more
-/// cells than they touch, or that are beside cells without fluid have passed nothing: their volume goes and comes.
+/// the direction of the axes it counts positive. Particles of whom it is not known have passed nothing: their
+/// volume goes and comes.
 void spread_passage(const Spreading& spreading, const Particles& particles, const Quantity& volume, const CellBox& box,
                     Deposits& out);
 
