@@ -4,6 +4,8 @@ import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 
+MOST_WIDE = 6  # longer flows are stretched across
+
 
 def read_slice(path):
     """Faces of both axes of the plane, velocity along them, what is coloured, names of the axes and the time. Bodies are
@@ -29,11 +31,11 @@ def read_slice(path):
     return faces[first], faces[second], along, (colour, label), "xyz"[first] + "xyz"[second], time
 
 
-def even(faces, values_first, values_second, count):
+def even(faces, values_first, values_second, count, least):
     """Values in the middles of cells, on an even grid, which streamplot needs."""
     from_faces = [0.5 * (f[1:] + f[:-1]) for f in faces]
     shares = np.array([f[-1] - f[0] for f in faces])
-    sizes = np.maximum(4, (count * shares / shares.max()).astype(int))
+    sizes = np.maximum(least, (count * shares / shares.max()).astype(int))
     places = [np.linspace(m[0], m[-1], n) for m, n in zip(from_faces, sizes)]
     columns = np.array([np.interp(places[0], from_faces[0], row) for row in values_first])
     first = np.array([np.interp(places[1], from_faces[1], column) for column in columns.T]).T
@@ -45,16 +47,19 @@ def even(faces, values_first, values_second, count):
 def draw(path, picture):
     """Writes the picture of a frame; returns its path."""
     x, y, along, (colour, label), names, time = read_slice(path)
-    wide = (x[-1] - x[0]) / (y[-1] - y[0])
+    true_wide = (x[-1] - x[0]) / (y[-1] - y[0])
+    wide = min(true_wide, MOST_WIDE)
     width = min(10.0, max(4.0, 7.0 * wide))
     figure, axes = plt.subplots(figsize=(width + 1.2, width / wide + 0.8), constrained_layout=True)
     mesh = axes.pcolormesh(x, y, colour, cmap="viridis" if "speed" in label else "inferno", shading="flat")
     figure.colorbar(mesh, ax=axes, label=label, shrink=0.85)
     if min(colour.shape) > 1 and any(np.nanmax(np.abs(part)) > 0 for part in along):
-        (px, py), u, v = even((x, y), *along, count=200)
-        axes.streamplot(px, py, u, v, color="white", linewidth=0.7, density=1.6, arrowsize=0.8)
-    axes.set(xlabel=f"{names[0]} [m]", ylabel=f"{names[1]} [m]", title=f"t = {time:.4g} s", aspect="equal",
-             xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
+        (px, py), u, v = even((x, y), *along, count=200, least=40)
+        density = 1.6 * np.minimum(1, [wide, 1 / wide])[::-1] ** 0.5
+        axes.streamplot(px, py, u, v, color="white", linewidth=0.7, density=density, arrowsize=0.8)
+    stretched = "" if wide == true_wide else f", {names[1]} stretched {true_wide / wide:.2g} times"
+    axes.set(xlabel=f"{names[0]} [m]", ylabel=f"{names[1]} [m]", title=f"t = {time:.4g} s{stretched}",
+             aspect=true_wide / wide, xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
     axes.set_facecolor("0.6")
     figure.savefig(picture, dpi=110)
     plt.close(figure)
