@@ -61,7 +61,7 @@ def check_frame(path, document):
             expect(dataset.dtype == datasets[name][0].split()[0], f"{path}: {name} holds {dataset.dtype}")
             expect(dataset.attrs["units"] == datasets[name][1], f"{path}: {name} is in {dataset.attrs['units']}")
             expect(len(dataset.attrs["meaning"]) > 0, f"{path}: {name} has no meaning")
-        optional = {name for name, cells in datasets.items() if re.search("on request|with `(analysis|shape)", cells[-1])}
+        optional = {name for name, cells in datasets.items() if re.search("on request|with `\[?(analysis|shape|heat)", cells[-1])}
         for name in set(datasets) - optional:
             expect(name in frame, f"{path}: no dataset {name}")
         return float(frame.attrs["time"])

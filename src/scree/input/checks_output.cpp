@@ -29,6 +29,10 @@ void check_shape_fields(const Check& check) {
 
 void check_output(const Check& check) {
   check_shape_fields(check);
+  for (const std::string& field : check.c.output.fields)
+    if (field == "temperature" && check.sound({"output.fields", "heat"}) && !warms(check.c))
+      check.fail("E164", "output.fields", "the field 'temperature' needs particles that have one", "there is no [heat]",
+                 "leave the field out, or add [heat]   (scree explain heat)");
   if (!check.sound({"output.fields", "analysis.agglomerates"}) || check.c.analysis.agglomerates) return;
   for (const std::string& field : check.c.output.fields)
     if (field.starts_with("agglomerate"))

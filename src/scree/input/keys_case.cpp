@@ -102,11 +102,12 @@ const Section& output_section() {
        key("tracks", &S::tracks, "ids of particles whose motion is written to tracks.csv at every row of the series"),
        key("fields", &S::fields, "particle fields in the frames, besides id and position which are always there")
            .one_of({"id", "position", "velocity", "angular_velocity", "diameter", "mass", "material", "group",
-                    "orientation", "half_axes", "exponents", "shape_file", "agglomerate", "agglomerate_size", "force",
-                    "unwrapped_position", "effect_diameter", "contacts"})
-           .defaults_to("velocity, angular_velocity, diameter, mass, material and group; with analysis.agglomerates "
-                        "also agglomerate and agglomerate_size; with particles that are no spheres also orientation, "
-                        "half_axes and exponents, with others than superellipsoids also shape_file"),
+                    "orientation", "half_axes", "exponents", "shape_file", "temperature", "agglomerate",
+                    "agglomerate_size", "force", "unwrapped_position", "effect_diameter", "contacts"})
+           .defaults_to(
+               "velocity, angular_velocity, diameter, mass, material and group; with analysis.agglomerates "
+               "also agglomerate and agglomerate_size; with particles that are no spheres also orientation, "
+               "half_axes and exponents, with others than superellipsoids also shape_file; with heat also temperature"),
        key("precision", &S::precision,
            "of floating-point numbers in the frames: double, or single with 7 digits and half the size")
            .one_of({"double", "single"}),
