@@ -1,5 +1,6 @@
 """Particles in a fluid that is solved for: restarts, ranks, threads. usage: coupled_test.py PROGRAM MPIEXEC"""
 
+import csv
 import unittest
 
 import h5py
@@ -128,6 +129,22 @@ subcycles = 10
 frames = 0.002
 """
 
+FEED = """
+[[particles]]
+name = "rain"
+temperature = 300
+material = "seed"
+shape = "ellipsoid"
+half_axes = [0.001, 0.0005, 0.0005]
+orientation = { type = "random" }
+insert = "rate"
+number_rate = 3000
+region_min = [0.001, 0.024, 0.001]
+region_max = [0.015, 0.028, 0.007]
+velocity = [0, -0.5, 0]
+max_delay = 1
+"""
+
 
 class Coupled(Ranks):
     def run_case(self, name, *options, ranks=0, threads=1):
@@ -159,6 +176,30 @@ class Coupled(Ranks):
             numpy.testing.assert_array_equal(self.fraction(name, 0), self.fraction("whole", 0))
             numpy.testing.assert_allclose(self.fraction(name, 1), self.fraction("whole", 1), atol=1e-6)
             self.assertLess(shared["ledger"]["coupling_error"], 1e-12 * 9.81 * 3e-4 * 0.02)
+
+    def test_a_restart_on_two_processes(self):
+        short = ("--set", "simulation.end=0.006")
+        case = BED.replace("0.0102", "0.0031")
+        whole = self.run_on(2, case, "whole", *short)
+        self.run_on(2, case, "pieces", "--until", "0.0031", *short)
+        pieces = self.run_on(2, case, "pieces", "--restart", "latest", *short)
+        self.assertEqual((pieces["state_hash"], pieces["fluid_hash"]), (whole["state_hash"], whole["fluid_hash"]))
+        # What one process has begun, two go on with.
+        self.run_on(0, case, "one", "--until", "0.0031", *short)
+        more = self.run_on(2, case, "one", "--restart", "latest", *short)
+        self.assertEqual(more["status"], "finished")
+        self.assertLess(more["ledger"]["coupling_error"], 1e-12 * 9.81 * 3e-4 * 0.006)
+
+    def test_particles_that_come_in_between_are_not_turned_by_a_fluid_that_they_have_not_met(self):
+        case = BED.replace("subcycles = 9\n", "subcycles = 9\ndrag = 'holzer_sommerfeld'\n") + FEED
+        ends = self.run_on(0, case, "fed", "--set", "simulation.end=0.006")
+        self.assertEqual(ends["status"], "finished")
+        with open(self.work / "fed" / "series.csv") as file:
+            rows = list(csv.DictReader(file))
+        self.assertGreater(float(rows[-1]["particles"]), float(rows[0]["particles"]) + 5)
+        for row in rows:
+            for name in ("rotational_energy", "angular_momentum_x", "work_drag", "energy_error", "fluid_momentum_y"):
+                self.assertTrue(numpy.isfinite(float(row[name])), name)
 
     def test_all_forces(self):
         forces = ("drag = 'holzer_sommerfeld'\nsaffman = true\nmagnus = true\nadded_mass = true\nviscous_stress = true\n"

@@ -96,6 +96,7 @@ void Simulation::restore(const Archive& archive) {
   findings_.fastest2 = ranks_.largest(fastest_square(system_.particles));
   sampled_step_ = whole_sampled_step_ = -1;
   ranks_.alone() ? restore_contacts(archive) : settle(archive);
+  if (coupling_) restore_coupling(*coupling_, archive);
 }
 
 namespace {
@@ -127,8 +128,6 @@ void Simulation::restore_contacts(const Archive& archive) {
   system_.wall_contacts = walls_of(contacts_in(archive, "wall", wall_scratch, shaped, ranks_), rows, system_.particles,
                                    system_.walls.size());
   settle();
-  if (!coupling_) return;
-  restore_coupling(*coupling_, archive);
 }
 
 std::string Simulation::fluid_hash() const {

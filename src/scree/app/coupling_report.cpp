@@ -118,12 +118,13 @@ void say_kind(const Case& c, const CouplingSettings& s, const FluidRegion& regio
   const double mass = kind.density * std::numbers::pi / 6 * d * d * d;
   const double kappa = drag_of(c, s, kind, voidage, slip);
   const double number = kappa * s.fluid_step() / mass;
-  notes.push_back({fmt::format("drag of '{}'", kind.name),
-                   fmt::format("at void fraction {} and {:.3g} m/s it relaxes in {:.3g} s, {:.3g} steps of the fluid",
-                               voidage, slip, mass / kappa, 1 / number),
-                   number > stiff ? "the drag is stiffer than the fluid's step is short: a smaller fluid.time_step or "
-                                    "coupling.subcycles"
-                                  : ""});
+  notes.push_back(
+      {fmt::format("drag of '{}'", kind.name),
+       fmt::format("at void fraction {:.3g} and {:.3g} m/s it relaxes in {:.3g} s, {:.3g} steps of the fluid", voidage,
+                   slip, mass / kappa, 1 / number),
+       number > stiff ? "the drag is stiffer than the fluid's step is short: a smaller fluid.time_step or "
+                        "coupling.subcycles"
+                      : ""});
   const double reynolds = c.fluid.density * voidage * slip * kind.largest / c.fluid.viscosity;
   notes.push_back(
       {"", fmt::format("Reynolds number {:.3g} of the flow before the particles", reynolds),

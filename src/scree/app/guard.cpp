@@ -56,7 +56,7 @@ std::optional<std::size_t> lowest_unsound(const Particles& p) {
 }
 
 std::optional<std::size_t> lowest_lost(const ParticleSystem& s) {
-  return lowest(s.particles, [&](std::size_t i) { return axis_left(s, i) >= 0; });
+  return lowest(s.particles, [&](std::size_t i) { return axis_overrun(s, i) >= 0 || axis_left(s, i) >= 0; });
 }
 
 [[noreturn]] void report_unsound(const Particles& p, double time, const std::string& last_seen) {
@@ -69,12 +69,13 @@ std::optional<std::size_t> lowest_lost(const ParticleSystem& s) {
 }
 
 [[noreturn]] void report_lost(const ParticleSystem& s, double time) {
-  if (const auto i = lowest(s.particles, [&](std::size_t row) { return axis_overrun(s, row) >= 0; }))
+  const auto i = lowest_lost(s);
+  if (i && axis_overrun(s, *i) >= 0)
     throw PhysicsError(
         fmt::format("t = {:.9g} s: {} has gone further than a whole period along {} in a step. The time step is too "
                     "long for the forces: see `scree check`",
                     time, place_of(s.particles, *i), "xyz"[axis_overrun(s, *i)]));
-  if (const auto i = lowest_lost(s)) {
+  if (i) {
     const int k = axis_left(s, *i);
     throw PhysicsError(
         fmt::format("t = {:.9g} s: {} has left the domain through its {} {} face. Close it with a wall, make it "

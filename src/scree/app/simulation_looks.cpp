@@ -29,7 +29,7 @@ void Simulation::take_own_sample() {
   const Stopwatch watch(stages_, "samples");
   const sc_field* field = fields_matter() ? field_.data() : nullptr;
   take_sample(system_, lists_, move_now(), contact_time_now(), field, sample_);
-  turn_by_flow(fields_, sample_.system.particles, clock_.now(), move_now().lag);
+  turn_by_fluid_around(sample_.system.particles, move_now().lag);
   set_velocities(prescribed_, sample_.system.particles, clock_.now());
   sampled_step_ = clock_.step;
 }
@@ -49,7 +49,7 @@ void Simulation::sample_whole() {
   evaluate_fields(whole_, clock_.now(), field);
   const Stopwatch watch(stages_, "samples");
   take_sample(whole_, lists, move_now(), contact_time_now(), fields_matter() ? field.data() : nullptr, whole_sample_);
-  turn_by_flow(fields_, whole_sample_.system.particles, clock_.now(), move_now().lag);
+  turn_by_fluid_around(whole_sample_.system.particles, move_now().lag);
   set_velocities(prescribed_, whole_sample_.system.particles, clock_.now());
   whole_sampled_step_ = clock_.step;
 }

@@ -46,9 +46,10 @@ sc_vec friction_there(const StreamFields& fields, const double* read) {
 }
 
 void turn_by_stream(const FluidCoupling& c, Particles& p, double dt) {
-  if (!c.settings.forces.turn()) return;
+  if (!p.turned()) return;
   launch(p.size(), [&](std::size_t i) {
     const double* g = p.gradient.row(i);
+    if (g[9] == 0) return;  // it has not met the fluid yet
     FluidThere there;
     there.density = c.fluid.settings.density;
     there.viscosity = c.fluid.settings.viscosity;

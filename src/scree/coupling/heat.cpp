@@ -1,8 +1,12 @@
 #include "scree/coupling/heat.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
+#include "scree/base/error.h"
 #include "scree/base/exact_sum.h"
 #include "scree/compute/launch.h"
 #include "scree/fluid/fields.h"
@@ -94,12 +98,17 @@ void keep_promise(FluidCoupling& c, const HeatPromise& promise, const CellBox& b
   const std::vector<double> met = meet(c, p, box, {&kelvin}, false);
   const double dt = c.settings.fluid_step();
   ExactSum sum;
+  bool sound = true;
   for (std::size_t i = 0; i < p.size(); ++i) {
     double* heat = p.heat.row(i);
     const double received = promise.rate[i] * (met[3 * i] - heat[lane::temperature]) * dt;
     heat[lane::temperature] += received / heat[lane::heat_capacity];
+    sound &= std::isfinite(heat[lane::temperature]);
     sum.add(received);
   }
+  if (!c.fluid.ranks.all(sound))
+    throw PhysicsError(
+        fmt::format("t = {:.9g} s: the temperature of a particle is no longer finite", c.fluid.state.time));
   const double all = everywhere(sum, c.fluid.ranks);
   c.books.heat_to_particles += all;
   c.books.heat_error += c.fluid.ranks.sum(given_away(c)) - all;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "scree/input/checks.h"
 
@@ -43,6 +44,32 @@ void check_group(const Check& check, std::size_t i) {
   if (c.heat.conduction) want("conductivity", material->conductivity);
 }
 
+/// Whether a formula is the number 0.
+bool is_nought(const std::string& formula) {
+  char* end = nullptr;
+  return !formula.empty() && std::strtod(formula.c_str(), &end) == 0 && *end == '\0';
+}
+
+/// Laws of heat transfer go by the Reynolds and the Prandtl number.
+void check_heat_exchange(const Check& check) {
+  const Case& c = check.c;
+  if (!exchanges_heat(c)) {
+    if (check.origins.given("heat.exchange") && c.heat.exchange != "none")
+      check.fail("E150", "heat.exchange", "there is no fluid that carries heat", "needs [fluid.heat] type = 'solved'",
+                 "remove it, or let the fluid carry heat   (scree explain fluid.heat)");
+    return;
+  }
+  if (!check.sound({"fluid"})) return;
+  const std::string help = "give it, or set heat.exchange = \"none\"";
+  const auto& viscosity = c.fluid.heat.viscosity;
+  if (viscosity.empty() ? c.fluid.viscosity == 0 : is_nought(viscosity))
+    check.fail("E163", viscosity.empty() ? "fluid.viscosity" : "fluid.heat.viscosity",
+               "particles and fluid exchange no heat without a viscosity", "it is 0", help);
+  if (is_nought(c.fluid.heat.conductivity))
+    check.fail("E163", "fluid.heat.conductivity", "particles and fluid exchange no heat without a conductivity",
+               "it is 0", help);
+}
+
 }  // namespace
 
 void check_heat(const Check& check) {
@@ -50,6 +77,7 @@ void check_heat(const Check& check) {
   if (!check.sound({"heat"})) return;
   if (c.heat.type == "none") return refuse_idle(check);
   for (std::size_t i = 0; i < c.particles.size(); ++i) check_group(check, i);
+  check_heat_exchange(check);
   if (c.heat.conduction && is_hard(c))
     check.fail("E164", "heat.conduction", "hard collisions leave no contacts to conduct heat",
                "contact.collision is 'hard'", "conduction = false, or collision = \"soft\"");

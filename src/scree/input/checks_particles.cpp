@@ -118,13 +118,17 @@ void check_hard_forces(const Check& check, const std::string& table, const std::
                        const FluidForceKeys& keys, bool by_shape) {
   if (!is_hard(check.c)) return;
   const std::string because = "contact.collision is 'hard'";
-  const auto turns = [&](const std::string& word) { return word == "on" || (word == "auto" && by_shape); };
-  if (by_shape && turns(keys.viscous_torque))
+  const bool pitches = by_shape && drag != "stokes_ellipsoid" && drag != "haider_levenspiel";
+  const auto acts = [](const std::string& word, bool by_itself) {
+    return word == "on" || (word == "auto" && by_itself);
+  };
+  const bool pitching = acts(keys.pitching_torque, pitches), viscous = acts(keys.viscous_torque, by_shape);
+  if (by_shape && viscous)
     check.fail("E164", table + ".drag", fmt::format("drag = '{}' does not go with hard collisions", drag),
                "it turns particles, too, and " + because,
                "choose contact.collision = 'soft', or drag = 'schiller_naumann'");
-  else if (turns(keys.pitching_torque) || turns(keys.viscous_torque))
-    check.fail("E164", table + (turns(keys.pitching_torque) ? ".pitching_torque" : ".viscous_torque"),
+  else if (pitching || viscous)
+    check.fail("E164", table + (pitching ? ".pitching_torque" : ".viscous_torque"),
                "torques of a fluid do not go with hard collisions", because,
                "choose contact.collision = 'soft', or set pitching_torque and viscous_torque to 'off'");
   if (keys.added_mass)
@@ -144,6 +148,10 @@ void check_forces(const Check& check, const std::string& table, const std::strin
 /// The forces of a flow that is solved for.
 void check_coupling(const Check& check) {
   const CouplingKeys& k = check.c.coupling;
+  if (check.c.fluid.type == "none" && check.origins.given("coupling"))
+    check.fail("E150", "coupling", "there is no fluid for the particles to act on",
+               "needs [fluid] type = 'incompressible'",
+               "remove it, or give the fluid   (scree explain fluid); drag in a given flow is flow.drag");
   if (!couples(check.c)) return;
   check_forces(check, "coupling", k.drag, k);
   const bool viscous = k.drag != "none" || k.saffman || k.magnus || k.shape_lift == "on" || k.pitching_torque == "on" ||

@@ -59,7 +59,11 @@ class CellLattice {
     const int c = coordinate(axis, x);
     return c < 0 ? 0 : (c >= cells_[axis] ? cells_[axis] - 1 : c);
   }
-  int wrapped(int axis, int c) const { return c < 0 ? c + cells_[axis] : (c >= cells_[axis] ? c - cells_[axis] : c); }
+  /// Whoever has gone further than a period is on the way to be reported, and lies somewhere in the lattice.
+  int wrapped(int axis, int c) const {
+    const int n = cells_[axis], once = c < 0 ? c + n : (c >= n ? c - n : c);
+    return once < 0 ? 0 : (once >= n ? n - 1 : once);
+  }
   Span span(int axis, const double* x, double reach) const;
 
   std::array<int, 3> cells_{1, 1, 1};

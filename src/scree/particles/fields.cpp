@@ -63,8 +63,9 @@ sc_vec slope(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x
 /// Its derivative with time, over `interval` about `time`.
 sc_vec trend(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, double time) {
   if (f.flow != FlowKind::expression || f.interval == 0) return sc_zero_vec();
-  const double half = 0.5 * f.interval;
-  return sc_scale(1 / f.interval, sc_sub(stream_at(f, formula, x, time + half), stream_at(f, formula, x, time - half)));
+  // No formula is asked for what was before the start.
+  const double from = std::max(0.0, time - 0.5 * f.interval), to = time + 0.5 * f.interval;
+  return sc_scale(1 / (to - from), sc_sub(stream_at(f, formula, x, to), stream_at(f, formula, x, from)));
 }
 
 /// The prescribed flow at x; the gradient of one that has none in closed form over a thousandth of `radius`.

@@ -148,7 +148,7 @@ Luggage bring_home(ParticleSystem& s, const Luggage& read, const Blocks& blocks,
   for (int r = 0; r < ranks.count(); ++r)
     if (auto& parcel = to[static_cast<std::size_t>(r)]; !parcel.empty())
       outgoing.push_back({r, pack_parcel(p, {std::move(parcel), {}})});
-  Particles here(p.shaped());
+  Particles here = p.none_alike();
   for (const Message& message : ranks.deliver(outgoing)) unpack_parcel(message.bytes, here, home);
   p = std::move(here);
   s.contacts = with_no_memory({}, s.contacts);
