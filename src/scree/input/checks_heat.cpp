@@ -53,13 +53,7 @@ bool is_nought(const std::string& formula) {
 /// Laws of heat transfer go by the Reynolds and the Prandtl number.
 void check_heat_exchange(const Check& check) {
   const Case& c = check.c;
-  if (!exchanges_heat(c)) {
-    if (check.origins.given("heat.exchange") && c.heat.exchange != "none")
-      check.fail("E150", "heat.exchange", "there is no fluid that carries heat", "needs [fluid.heat] type = 'solved'",
-                 "remove it, or let the fluid carry heat   (scree explain fluid.heat)");
-    return;
-  }
-  if (!check.sound({"fluid"})) return;
+  if (!exchanges_heat(c) || !check.sound({"fluid"})) return;
   const std::string help = "give it, or set heat.exchange = \"none\"";
   const auto& viscosity = c.fluid.heat.viscosity;
   if (viscosity.empty() ? c.fluid.viscosity == 0 : is_nought(viscosity))

@@ -148,10 +148,6 @@ void check_forces(const Check& check, const std::string& table, const std::strin
 /// The forces of a flow that is solved for.
 void check_coupling(const Check& check) {
   const CouplingKeys& k = check.c.coupling;
-  if (check.c.fluid.type == "none" && check.origins.given("coupling"))
-    check.fail("E150", "coupling", "there is no fluid for the particles to act on",
-               "needs [fluid] type = 'incompressible'",
-               "remove it, or give the fluid   (scree explain fluid); drag in a given flow is flow.drag");
   if (!couples(check.c)) return;
   check_forces(check, "coupling", k.drag, k);
   const bool viscous = k.drag != "none" || k.saffman || k.magnus || k.shape_lift == "on" || k.pitching_torque == "on" ||
