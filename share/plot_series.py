@@ -82,6 +82,12 @@ def draw_pressure_drop(axes, series):
     draw_lines(axes, series, {"pressure_drop": "pressure drop"}, "Pa")
 
 
+def draw_temperatures(axes, series):
+    axes.set_title("Temperature of the particles")
+    names = {f"particle_temperature_{what}": what for what in ("lowest", "mean", "highest")}
+    draw_lines(axes, series, names, "K")
+
+
 def draw_contacts(axes, series):
     axes.set_title("Contacts")
     pair(axes, series, ("contacts", "contacts", 1), ("max_overlap", "largest overlap / smaller radius [%]", 100))
@@ -149,9 +155,11 @@ def panels_of(series):
     if "pressure_iterations" in series:
         return plot_fluid_series.panels_of(series)
     panels = [draw_energies, draw_exchanges, draw_errors, draw_contacts, draw_speeds]
-    if "pressure_drop" in series:
+    if "pressure_drop" in series and moves(series["pressure_drop"]):
         panels.insert(0, draw_pressure_drop)
     panels += [draw_agglomerates, draw_sizes, draw_structure] if "agglomerates" in series else [draw_momentum]
+    if "particle_temperature_mean" in series:
+        panels.insert(1, draw_temperatures)
     if "inserted_mass" in series:
         panels.append(draw_passage)
     if planes_of(series):

@@ -113,11 +113,16 @@ class Cases(unittest.TestCase):
         (particle,), (pair,) = told("particle, in all"), told("candidate pair")
         (rolling,) = told("with rolling, twisting or hard collisions")
         shape, pair_of_shapes = told("and where some are no spheres")
+        (coupled,), (turned,), (heat,) = (told(f"and where {what}") for what in (
+            "a fluid is solved for", "it turns particles", "they have a temperature"))
         for example, per_particle, per_pair in (("02_bouncing_ball", particle, pair),
                                                 ("03_settling_heap", particle, rolling),
-                                                ("12_fifty_cylinders", particle + shape, rolling + pair_of_shapes)):
+                                                ("12_fifty_cylinders", particle + shape, rolling + pair_of_shapes),
+                                                ("33_warm_bed", particle + coupled + heat, pair)):
             report = scree("check", SOURCE / "examples" / example / "case.toml").stdout
             self.assertIn(f"({per_particle} B per particle, {per_pair} B per pair", report)
+        turning = scree("check", SOURCE / "examples" / "33_warm_bed" / "case.toml", "--set", "coupling.viscous_torque=on")
+        self.assertIn(f"({particle + coupled + heat + turned} B per particle", turning.stdout)
 
     def test_the_first_steps_of_the_readme_work(self):
         """The case that README.md prints is a case, and every program call it prints exists."""

@@ -1,12 +1,14 @@
 """Particles in a fluid that is solved for: restarts, ranks, threads. usage: coupled_test.py PROGRAM MPIEXEC"""
 
 import csv
+import re
+import subprocess
 import unittest
 
 import h5py
 import numpy
 
-from ranks_common import Ranks
+from ranks_common import PROGRAM, Ranks
 
 # A small bed that is blown up, on cells of two kinds, with bodies of two shapes.
 BED = """
@@ -176,6 +178,15 @@ class Coupled(Ranks):
             numpy.testing.assert_array_equal(self.fraction(name, 0), self.fraction("whole", 0))
             numpy.testing.assert_allclose(self.fraction(name, 1), self.fraction("whole", 1), atol=1e-6)
             self.assertLess(shared["ledger"]["coupling_error"], 1e-12 * 9.81 * 3e-4 * 0.02)
+
+    def test_check_tells_the_room_for_it(self):
+        self.run_on(0, BED, "run", "--set", "simulation.end=0.002", "--set", "output.frames=0.001")
+        case = self.work / "run" / "case.toml"
+        report = subprocess.run([PROGRAM, "check", str(case)], capture_output=True, text=True).stdout
+        told = float(re.search(r"disk +up to ([0-9.]+) kB", report).group(1)) * 1000
+        taken = sum(p.stat().st_size for p in (self.work / "run").rglob("*") if p.is_file())
+        self.assertLess(taken, told)
+        self.assertGreater(taken, 0.3 * told)
 
     def test_a_restart_on_two_processes(self):
         short = ("--set", "simulation.end=0.006")

@@ -101,6 +101,19 @@ class Pictures(unittest.TestCase):
         few, all_of_them = titles.values()
         self.assertEqual(all_of_them, few + ["draw_passage", "draw_planes", "draw_forces", "draw_torques"])
 
+    def test_a_pressure_drop_and_temperatures_have_panels_where_there_are_any(self):
+        names = ["time", "contacts", "max_overlap", "pressure_drop",
+                 *(f"particle_temperature_{what}" for what in ("lowest", "mean", "highest"))]
+        write_series(self.directory / "series.csv", names)
+        series = plot_series.read_series(self.directory / "series.csv")
+        titles = lambda: [panel.__name__ for panel in plot_series.panels_of(series)]
+        self.assertEqual(titles()[:2], ["draw_pressure_drop", "draw_temperatures"])
+        self.assertIsNotNone(plot_series.draw(self.directory / "series.csv", self.directory / "series.png"))
+        series["pressure_drop"][:] = 0
+        self.assertNotIn("draw_pressure_drop", titles())
+        del series["particle_temperature_mean"]
+        self.assertNotIn("draw_temperatures", titles())
+
     def test_groups_have_a_picture_of_their_own(self):
         frame = self.directory / "frame.h5"
         write_frame(frame, [[0.3, 0.5, 0.5], [0.7, 0.5, 0.5]], [0.4, 0.4], [[0, 0, 0], [0, 0, 0]])

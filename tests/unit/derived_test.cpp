@@ -470,7 +470,7 @@ TEST(Derived, CostCountsBytes) {
   EXPECT_EQ(d.cost.particles, 4u);
   EXPECT_EQ(d.cost.frames, 11u);
   EXPECT_NEAR(d.cost.solid_fraction, 2 * pi / 6 * (1e-9 + 64e-9) / 1e-3, 1e-12);
-  EXPECT_EQ(d.cost.bytes_per_particle, static_cast<double>(Particles::bytes_per_particle(false)));
+  EXPECT_EQ(d.cost.bytes_per_particle, static_cast<double>(Particles().bytes_per_particle()));
   EXPECT_EQ(d.cost.bytes_per_pair, 53);
   c.contact.laws.rolling = SC_ROLLING_SPRING;
   EXPECT_EQ(derive(c).cost.bytes_per_pair, 85);

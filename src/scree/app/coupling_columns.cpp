@@ -56,7 +56,8 @@ std::vector<std::string> coupled_columns(const Case& c) {
 
 std::string coupled_note(const std::vector<double>& row) {
   const double* last = row.data() + row.size() - own_columns;
-  return fmt::format("pressure drop {:.4g} Pa, exchange error {:.1e} N s", last[0], last[1]);
+  const std::string drop = last[0] == 0 ? "" : fmt::format("pressure drop {:.4g} Pa, ", last[0]);
+  return fmt::format("{}exchange error {:.1e} N s", drop, last[1]);
 }
 
 std::vector<double> coupled_row(const Case& c, const FluidCoupling& coupling, const FluidTally& tally) {

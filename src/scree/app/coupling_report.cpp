@@ -68,8 +68,7 @@ double slip_of(const Case& c, const CouplingSettings& s, const FluidRegion& regi
 double sphericity_of(const Case& c, const BodyKind& kind) {
   const ParticleKeys& keys = c.particles[kind.group];
   if (keys.shape == "sphere" || keys.insert == "checkpoint") return 1;
-  const Form form = make_form(keys.shape, keys.half_axes, keys.exponents[0], keys.exponents[1]);
-  return sphericity(sphere_volume(2 * form.equivalent_radius), surface_of(form));
+  return sphericity(make_form(keys.shape, keys.half_axes, keys.exponents[0], keys.exponents[1]));
 }
 
 /// Where the law of drag by shape has been measured.

@@ -8,6 +8,7 @@
 #include "scree/app/build_materials.h"
 #include "scree/app/build_walls.h"
 #include "scree/app/encounters.h"
+#include "scree/app/memory_need.h"
 #include "scree/app/speed_estimate.h"
 #include "scree/base/error.h"
 #include "scree/data/particles.h"
@@ -175,10 +176,11 @@ DerivedCost derive_cost(const Case& c, const std::vector<BodyKind>& kinds, const
   }
   const double n = static_cast<double>(out.particles);
   out.solid_fraction = volume / (extent(c, 0) * extent(c, 1) * extent(c, 2));
-  out.bytes_per_particle = static_cast<double>(Particles::bytes_per_particle(has_shapes(c)));
+  out.bytes_per_particle = static_cast<double>(bytes_per_particle(c));
   out.bytes_per_pair = static_cast<double>(bytes_per_pair(remembers_rolling(c), has_shapes(c)));
   out.pairs_per_particle = expected_pairs(c, out.solid_fraction);
-  out.memory = n * (out.bytes_per_particle + out.pairs_per_particle * out.bytes_per_pair);
+  out.fluid = fluid_cost(c);
+  out.memory = n * (out.bytes_per_particle + out.pairs_per_particle * out.bytes_per_pair) + out.fluid.memory;
   add_output_cost(c, walls, steps, out);
   return out;
 }

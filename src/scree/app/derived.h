@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scree/app/body_kinds.h"
+#include "scree/app/fluid_report.h"
 #include "scree/app/periodic_jumps.h"
 #include "scree/app/sticking.h"
 #include "scree/data/materials.h"
@@ -86,6 +87,7 @@ struct DerivedCost {
   double average_bytes = 0;                                     // of all these files together
   std::uint64_t wall_files = 0;                                 // of the walls in the frames
   double wall_bytes = 0;                                        // of all these files together, uncompressed
+  FluidCost fluid;                                              // that is solved for
   double disk = 0;  // all of it, and three checkpoints: a third is written before the oldest goes [bytes]
 };
 

@@ -11,7 +11,10 @@
 namespace scree {
 namespace {
 
-constexpr double fields_of_solver = 48;  // of all cells, ghosts included
+// Numbers of a cell, counted from FluidState, FluidWork, FluidLoad, FluidCoupling, fluid_checkpoint.cpp and
+// fluid_outputs.cpp.
+constexpr double fields_of_solver = 54, fields_with_particles = 71, fields_of_scalar = 12;
+constexpr double saved_of_solver = 18, saved_with_particles = 27, saved_of_scalar = 2, written_in_frames = 6;
 constexpr double multigrid_bytes = 300;  // per cell: hypre's matrices and vectors on all levels
 constexpr double largest_growth = 1.3;   // of a cell over its neighbour
 constexpr double most_expansion = 0.1;   // over the temperatures of a fluid of constant density
@@ -85,6 +88,19 @@ std::string heat_lines(const Case& c, const FluidRegion& r) {
 
 }  // namespace
 
+FluidCost fluid_cost(const Case& c) {
+  if (!solves_flow(c)) return {};
+  const double cells = static_cast<double>(build_fluid_region(c).grid.all().cells());
+  const double scalars = static_cast<double>(c.fluid.scalars.size()) + (c.fluid.heat.type != "none" ? 1 : 0);
+  const double with_particles = couples(c) ? 1 : 0;
+  FluidCost out;
+  out.memory = cells * (multigrid_bytes +
+                        8 * (fields_of_solver + with_particles * fields_with_particles + scalars * fields_of_scalar));
+  out.checkpoint = cells * 8 * (saved_of_solver + with_particles * saved_with_particles + scalars * saved_of_scalar);
+  out.frame = cells * 8 * (written_in_frames + scalars);
+  return out;
+}
+
 std::string fluid_report(const Case& c) {
   const FluidRegion r = build_fluid_region(c);
   const Grid& g = r.grid;
@@ -119,7 +135,7 @@ std::string fluid_report(const Case& c) {
     }
   }
   text += heat_lines(c, r);
-  const double memory = cells * (8 * fields_of_solver + multigrid_bytes);
+  const double memory = fluid_cost(c).memory;
   const auto there = available_memory();
   text += line("memory", fmt::format("about {:.3g} MB", 1e-6 * memory),
                there && memory > *there ? "warning: more than is available on this machine" : "ok");

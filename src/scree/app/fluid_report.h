@@ -7,6 +7,13 @@
 
 namespace scree {
 
+/// What a fluid that is solved for takes [bytes]; nothing without one.
+struct FluidCost {
+  double memory = 0, frame = 0, checkpoint = 0;  // about; one of each file
+};
+
+FluidCost fluid_cost(const Case& c);
+
 /// Grid, numbers of the flow and memory, each with a verdict.
 std::string fluid_report(const Case& c);
 

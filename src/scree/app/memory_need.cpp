@@ -3,11 +3,19 @@
 #include <fmt/format.h>
 
 #include "scree/app/body_kinds.h"
+#include "scree/app/build_forces.h"
 #include "scree/app/build_particles.h"
 #include "scree/input/checks.h"
 #include "scree/input/located.h"
 
 namespace scree {
+
+std::size_t bytes_per_particle(const Case& c) {
+  Particles none(has_shapes(c));
+  if (couples(c)) none.couple(build_forces(c.coupling.drag, c.coupling).turn());
+  if (warms(c)) none.give_heat();
+  return none.bytes_per_particle();
+}
 
 std::string memory_refusal(const Case& c, std::optional<double> available) {
   const std::vector<ParticleGroup> groups = build_groups(c, Takeover::skip);
@@ -21,7 +29,7 @@ std::string memory_refusal(const Case& c, std::optional<double> available) {
       largest = g;
     }
   }
-  const double bytes = total * static_cast<double>(Particles::bytes_per_particle(has_shapes(c)));
+  const double bytes = total * static_cast<double>(bytes_per_particle(c));
   if (!available || bytes <= *available) return {};
   const std::string group = item_path("particles", largest);
   const bool counted = c.text && c.text->origins.given(group + ".count");

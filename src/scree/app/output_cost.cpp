@@ -100,11 +100,11 @@ void add_output_cost(const Case& c, const Walls& walls, double steps, DerivedCos
   cost.checkpoints = output.checkpoints > 0 ? std::max<std::uint64_t>(1, times(end, output.checkpoints)) : 1;
   cost.frame_bytes = n * static_cast<double>(frame_bytes_per_particle(
                              output, {c.analysis.agglomerates, has_shapes(c), has_other_shapes(c), warms(c)})) +
-                     bytes_per_frame_file;
+                     bytes_per_frame_file + cost.fluid.frame;
   cost.row_bytes =
       bytes_per_number * static_cast<double>(series_columns(c).size() + output.tracks.size() * track_columns().size());
   const double per_contact = bytes_per_contact + (has_shapes(c) ? pair_scratch * sizeof(double) : 0);
-  cost.checkpoint_bytes = n * (cost.bytes_per_particle + cost.pairs_per_particle * per_contact);
+  cost.checkpoint_bytes = n * (cost.bytes_per_particle + cost.pairs_per_particle * per_contact) + cost.fluid.checkpoint;
   // Every candidate counts as a contact: more than touch, which leaves room for those with walls.
   if (output.contacts)
     cost.contact_bytes =

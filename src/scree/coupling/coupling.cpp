@@ -83,11 +83,11 @@ namespace {
 
 /// What has passed the faces of the cells: with the particles, and by what spreads and relieves them further, as much
 /// as that has changed since the last step.
-void find_passed(FluidCoupling& c, const Particles& p, const Exchanged& x, const Field& old_levels,
-                 const Field& old_surpluses) {
+void load_passed(FluidCoupling& c, const Particles& p, const std::vector<std::uint8_t>& known, const Exchanged& x,
+                 const Field& old_levels, const Field& old_surpluses) {
   const Mesh& m = c.fluid.mesh;
   Deposits mine;
-  spread_passage(c.spreading, p, x.volume, x.box, mine);
+  spread_passage(c.spreading, p, known, x.volume, x.box, mine);
   const Deposits sums = c.exchange.collect(mine);
   Field levels = m.make_field(), surpluses = m.make_field();
   for (std::int64_t at = 0; at < m.size; ++at) {
@@ -117,10 +117,11 @@ void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x) {
   x.count = c.fluid.ranks.total(static_cast<std::int64_t>(p.size()));
   x.volume.values.resize(p.size());
   launch(p.size(), [&](std::size_t i) { x.volume.values[i] = volume_of(p, i); });
+  const std::vector<std::uint8_t> known = find_passed(c.spreading, p);
   x.motion.values.resize(3 * p.size());
   launch(p.size(), [&](std::size_t i) {
     // Those of whom nothing is known at the faces count for nothing in the cells.
-    const double counted = has_passed(c.spreading, p, i) ? x.volume.values[i] : 0;
+    const double counted = known[i] ? x.volume.values[i] : 0;
     for (int a = 0; a < 3; ++a) x.motion.values[3 * i + a] = counted * p.motion.row(i)[lane::vx + a];
   });
   for (Quantity* q : {&x.volume, &x.motion}) q->scale = scale_for(*q, x.count, c.fluid.ranks);
@@ -135,7 +136,7 @@ void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x) {
   diffuse(c.diffusion, m, c.fluid.ranks, c.amounts, c.densities, &c.levels);
   Field& solids = c.densities[0];
   const Crowding crowding = relieve_crowding(m, c.fluid.ranks, 1 - c.settings.least_fraction, solids, c.surpluses);
-  find_passed(c, p, x, old_levels, old_surpluses);
+  load_passed(c, p, known, x, old_levels, old_surpluses);
   c.books.crowded += static_cast<double>(crowding.cells);
   c.books.least_fraction = 1 - crowding.densest;
   for_each_row(m, [&](int j, int k) {
@@ -323,7 +324,7 @@ FluidCoupling::FluidCoupling(const FluidRegion& region, FluidSettings k, const C
       amounts(fluid.mesh.make_vector()),
       densities(fluid.mesh.make_vector()) {
   know_shapes(settings.forces, forms);
-  for (const Form& form : forms) surface_over_sphere.push_back(1 / sphericity(form.volume, surface_of(form)));
+  for (const Form& form : forms) surface_over_sphere.push_back(1 / sphericity(form));
   if (forms.empty()) surface_over_sphere.push_back(1);
   if (settings.diffusion > 0) diffusion = make_diffusion(fluid.mesh, fluid.ranks, settings.diffusion);
 }

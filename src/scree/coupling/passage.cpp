@@ -82,35 +82,38 @@ bool find_ways(const Spreading& s, sc_vec from, sc_vec to, Ways& ways) {
          find_way(s.axis[2], from.z, to.z, ways[2]) && !beside_blocked(s, ways);
 }
 
-void spread_some(const Spreading& s, const Particles& p, const Quantity& volume, std::size_t begin, std::size_t end,
-                 Deposits& out) {
+void spread_one(const Spreading& s, const Particles& p, const Quantity& volume, std::size_t i, Deposits& out) {
   Ways ways;
-  for (std::size_t i = begin; i < end; ++i) {
-    if (!has_passed(s, p, i)) continue;
-    const BodyPoints from = points_before(s, p, i), to = points_of(s, p, i);
-    const double amount = volume.values[i] * volume.scale * to.part();
-    for (int n = 0; n < to.count; ++n) {
-      find_ways(s, from.at[n], to.at[n], ways);
-      for (int a = 0; a < 3; ++a) deposit_axis(ways, a, amount, out);
-    }
+  const BodyPoints from = points_before(s, p, i), to = points_of(s, p, i);
+  const double amount = volume.values[i] * volume.scale * to.part();
+  for (int n = 0; n < to.count; ++n) {
+    find_ways(s, from.at[n], to.at[n], ways);
+    for (int a = 0; a < 3; ++a) deposit_axis(ways, a, amount, out);
   }
 }
 
 }  // namespace
 
-bool has_passed(const Spreading& s, const Particles& p, std::size_t i) {
-  if (p.met_at.row(i)[3] == 0) return false;
-  const BodyPoints from = points_before(s, p, i), to = points_of(s, p, i);
-  Ways ways;
-  for (int n = 0; n < to.count; ++n)
-    if (!find_ways(s, from.at[n], to.at[n], ways)) return false;
-  return true;
+std::vector<std::uint8_t> find_passed(const Spreading& s, const Particles& p) {
+  std::vector<std::uint8_t> known(p.size());
+  launch(p.size(), [&](std::size_t i) {
+    if (p.met_at.row(i)[3] == 0) return;
+    const BodyPoints from = points_before(s, p, i), to = points_of(s, p, i);
+    Ways ways;
+    bool all = true;
+    for (int n = 0; n < to.count; ++n) all = all && find_ways(s, from.at[n], to.at[n], ways);
+    known[i] = all;
+  });
+  return known;
 }
 
-void spread_passage(const Spreading& s, const Particles& p, const Quantity& volume, const CellBox& box, Deposits& out) {
+void spread_passage(const Spreading& s, const Particles& p, const std::vector<std::uint8_t>& known,
+                    const Quantity& volume, const CellBox& box, Deposits& out) {
   out.shape(box, 3);
-  in_parts(p.size(), out,
-           [&](std::size_t begin, std::size_t end, Deposits& sums) { spread_some(s, p, volume, begin, end, sums); });
+  in_parts(p.size(), out, [&](std::size_t begin, std::size_t end, Deposits& sums) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (known[i]) spread_one(s, p, volume, i, sums);
+  });
 }
 
 void note_meeting(Particles& p) {

@@ -6,15 +6,16 @@
 
 namespace scree {
 
-/// Whether what a particle has carried through faces since the fluid's last step is known. Not so for one that the
-/// fluid has not met before, that has leapt over more cells than it touches, or that is beside cells without fluid.
-bool has_passed(const Spreading& spreading, const Particles& particles, std::size_t i);
+/// For each particle whether what it has carried through faces since the fluid's last step is known. Not so for one
+/// that the fluid has not met before, that has leapt over more cells than it touches, or that is beside cells without
+/// fluid.
+std::vector<std::uint8_t> find_passed(const Spreading& spreading, const Particles& particles);
 
 /// Shares out what has passed the lower faces of the cells along x, y, z since the fluid's last step, of `volume`. In
-/// the direction of the axes it counts positive. Particles of whom it is not known have passed nothing: their
+/// the direction of the axes it counts positive. Particles of whom it is not `known` have passed nothing: their
 /// volume goes and comes.
-void spread_passage(const Spreading& spreading, const Particles& particles, const Quantity& volume, const CellBox& box,
-                    Deposits& out);
+void spread_passage(const Spreading& spreading, const Particles& particles, const std::vector<std::uint8_t>& known,
+                    const Quantity& volume, const CellBox& box, Deposits& out);
 
 /// Notes where the fluid has met the particles.
 void note_meeting(Particles& particles);

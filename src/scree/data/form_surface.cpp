@@ -71,6 +71,8 @@ double sphericity(double volume, double surface) {
   return 4 * pi * radius * radius / surface;
 }
 
+double sphericity(const Form& form) { return sphericity(form.volume, surface_of(form)); }
+
 // With h(psi) the support function in the plane across the direction, the shadow has the area
 // 1/2 int (h^2 - h'^2) dpsi over the full turn (Minkowski). It is singular where a coordinate of the normal is zero.
 double shadow_area(const Axes& half_axes, double e1, double e2, const Axes& direction, int parts) {

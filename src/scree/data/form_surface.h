@@ -13,6 +13,7 @@ double surface_of(const Form& form);
 
 /// Area of the sphere of equal volume over that of the surface (Wadell 1935): 1 for spheres, less for all others.
 double sphericity(double volume, double surface);
+double sphericity(const Form& form);
 
 /// Area of the shadow in parallel light along `direction` (of any length), in the squared unit of the half axes, within
 /// about 1e-9 of itself with 8 `parts` of each quadrant, 2e-4 with 1. Its mean over all directions is a quarter of the

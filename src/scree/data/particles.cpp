@@ -89,13 +89,12 @@ void Particles::append(const Particles& others) {
 #undef FIELD
 }
 
-std::size_t Particles::bytes_per_particle(bool shaped) {
+std::size_t Particles::bytes_per_particle() const {
   std::size_t bytes = 0;
-#define FIELD(name, type, components, travels, saved, doc) bytes += sizeof(type) * components;
-  SCREE_PARTICLE_FIELDS(FIELD)
-  if (!shaped) return bytes;
-  SCREE_SHAPE_FIELDS(FIELD)
-#undef FIELD
+  for_each_field([&](auto, const auto& column, auto...) {
+    using C = std::remove_cvref_t<decltype(column)>;
+    bytes += sizeof(typename C::value_type) * C::components;
+  });
   return bytes;
 }
 

@@ -178,8 +178,8 @@ class Particles {
         [&](std::string_view name, const auto& column, auto... rest) { visit(name, column, rest...); });
   }
 
-  /// Memory of one particle over all fields, with shapes or without [bytes].
-  static std::size_t bytes_per_particle(bool shaped);
+  /// Memory of one particle over all fields that are there [bytes].
+  std::size_t bytes_per_particle() const;
 
  private:
   std::size_t size_ = 0, ghosts_ = 0;

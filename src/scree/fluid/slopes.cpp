@@ -3,23 +3,12 @@
 #include <algorithm>
 
 #include "scree/fluid/boundary.h"
+#include "scree/fluid/fields.h"
 
 namespace scree {
-namespace {
-
-/// Calls visit(cell in the arrays, {i, j, k}) for every cell of fluid.
-template <class Visit>
-void for_each_fluid_cell(const Mesh& m, Visit&& visit) {
-  for_each_row(m, [&](int j, int k) {
-    for (int i = 0; i < m.n[0]; ++i)
-      if (const std::int64_t c = m.index(i, j, k); m.fluid[c] > 0) visit(c, std::array<int, 3>{i, j, k});
-  });
-}
-
-}  // namespace
 
 void find_velocity_gradient(const FluidSolver& s, VelocityGradient& gradient) {
-  for_each_fluid_cell(s.mesh, [&](std::int64_t c, const auto& at) {
+  for_each_fluid(s.mesh, [&](std::int64_t c, const auto& at) {
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) gradient[a][b][c] = slope(s, a, b, c, at[b]);
   });
@@ -31,7 +20,7 @@ void find_velocity_gradient(const FluidSolver& s, VelocityGradient& gradient) {
 void find_acceleration(const FluidSolver& s, VectorField& acceleration) {
   const VectorField &u = s.state.velocity, &old = s.state.velocity_old;
   const double per_step = s.state.last_dt > 0 ? 1 / s.state.last_dt : 0;
-  for_each_fluid_cell(s.mesh, [&](std::int64_t c, const auto& at) {
+  for_each_fluid(s.mesh, [&](std::int64_t c, const auto& at) {
     for (int a = 0; a < 3; ++a) {
       double sum = (u[a][c] - old[a][c]) * per_step;
       for (int b = 0; b < 3; ++b) sum += u[b][c] * slope(s, a, b, c, at[b]);

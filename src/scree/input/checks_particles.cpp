@@ -109,7 +109,8 @@ void check_zastawny(const Check& check, const std::string& table) {
     if (round && (std::abs(a[2] / a[0] - 2.5) < 1e-6 || std::abs(a[2] / a[0] - 1.25) < 1e-6)) continue;
     return check.fail("E164", table + ".drag", "drag = 'zastawny' is for ellipsoids of 2:2:5 and of 4:4:5",
                       fmt::format("'{}' has another shape", p.name),
-                      "drag = 'holzer_sommerfeld' is for any shape; half_axes are in the order x, y, z");
+                      "shape = 'ellipsoid' with half_axes like [2, 2, 5], the longest along z, turned by orientation; "
+                      "drag = 'holzer_sommerfeld' is for any shape");
   }
 }
 
