@@ -1,4 +1,5 @@
-// A cloud of colliding spheres in a periodic box of fluid, everything in motion; and what there is of momentum.
+// A cloud of colliding spheres in a periodic box of fluid, everything in motion; what there is of momentum; and a
+// single particle in a closed box.
 #pragma once
 
 #include <fmt/format.h>
@@ -110,6 +111,43 @@ inline double drift_of(const Cloud& cloud, int steps, const std::function<void(P
     for (int a = 0; a < 3; ++a) drift = std::max(drift, std::abs(now[a] - first[a]) / size);
   }
   return drift;
+}
+
+/// A cube of side 1.2 mm with one particle in the middle.
+inline std::string cube(int cells, double density, double viscosity, const std::string& particle,
+                        const std::string& coupling) {
+  return fmt::format(R"toml(
+[simulation]
+end = 1
+time_step = 2e-5
+[domain]
+min = [0, 0, 0]
+max = [0.0012, 0.0012, 0.0012]
+[gravity]
+type = "uniform"
+acceleration = [0, 0, -9.81]
+[contact]
+normal = "linear"
+[[materials]]
+name = "stuff"
+density = {1}
+stiffness = 1
+restitution = 0.8
+[[particles]]
+name = "body"
+material = "stuff"
+{3}
+insert = "positions"
+positions = [[0.00061, 0.00058, 0.0006]]
+[fluid]
+type = "incompressible"
+density = 1000
+viscosity = {2}
+cells = [{0}, {0}, {0}]
+[coupling]
+{4}
+)toml",
+                     cells, density, viscosity, particle, coupling);
 }
 
 }  // namespace scree

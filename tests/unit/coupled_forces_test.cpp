@@ -68,43 +68,6 @@ TEST(CoupledForces, MomentumIsConstantWithThoseOfShapes) {
   }
 }
 
-/// A cube of side 1.2 mm with one particle in the middle.
-std::string cube(int cells, double density, double viscosity, const std::string& particle,
-                 const std::string& coupling) {
-  return fmt::format(R"toml(
-[simulation]
-end = 1
-time_step = 2e-5
-[domain]
-min = [0, 0, 0]
-max = [0.0012, 0.0012, 0.0012]
-[gravity]
-type = "uniform"
-acceleration = [0, 0, -9.81]
-[contact]
-normal = "linear"
-[[materials]]
-name = "stuff"
-density = {1}
-stiffness = 1
-restitution = 0.8
-[[particles]]
-name = "body"
-material = "stuff"
-{3}
-insert = "positions"
-positions = [[0.00061, 0.00058, 0.0006]]
-[fluid]
-type = "incompressible"
-density = 1000
-viscosity = {2}
-cells = [{0}, {0}, {0}]
-[coupling]
-{4}
-)toml",
-                     cells, density, viscosity, particle, coupling);
-}
-
 /// A sphere that begins light in still fluid is accelerated by its buoyancy against its own mass and half of that of
 /// the fluid whose place it has (Lamb 1932), whatever the cells: four diameters wide, or half of one. In narrow
 /// cells it counts for a crowd of its own, with an added mass of up to 0.53 of that fluid. What surrounds it gives way

@@ -130,40 +130,7 @@ TEST(FluidCoupling, ASphereSinksWithStokesVelocity) {
   const double d = 1e-4, terminal = (2000.0 - 1000) * 9.81 * d * d / (18 * 1e-3);
   for (const int cells : {3, 6, 12}) {
     SCOPED_TRACE(cells);
-    std::string text = fmt::format(R"toml(
-[simulation]
-end = 1
-time_step = 2e-5
-[domain]
-min = [0, 0, 0]
-max = [0.0012, 0.0012, 0.0012]
-periodic = [false, false, false]
-[gravity]
-type = "uniform"
-acceleration = [0, 0, -9.81]
-[contact]
-normal = "linear"
-[[materials]]
-name = "glass"
-density = 2000
-stiffness = 10
-restitution = 0.8
-[[particles]]
-name = "sphere"
-material = "glass"
-diameter = 1e-4
-insert = "positions"
-positions = [[0.00061, 0.00058, 0.0007]]
-[fluid]
-type = "incompressible"
-density = 1000
-viscosity = 1e-3
-cells = [{0}, {0}, {0}]
-[coupling]
-drag = "stokes"
-subcycles = 4
-)toml",
-                                   cells);
+    const std::string text = cube(cells, 2000, 1e-3, "diameter = 1e-4", "drag = \"stokes\"\nsubcycles = 4");
     Simulation s(case_of(text), 1);
     const auto slip = [&] {
       const Particles& p = s.system().particles;

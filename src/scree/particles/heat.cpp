@@ -102,7 +102,7 @@ void expect_slow(const ParticleSystem& s, const Flows& flows, double time, const
   for (std::size_t i = 0; i < s.particles.size(); ++i)
     share = std::max(share, flows.conductance[i] * time / s.particles.heat.row(i)[lane::heat_capacity]);
   share = ranks.largest(share);
-  if (share > most_given)
+  if (!(share <= most_given))
     throw PhysicsError(
         fmt::format("a particle would conduct {:.2g} of its difference of temperature in {:.3g} s, at most {} can be "
                     "followed\n  = help: a smaller heat.every or time step, or a smaller heat.contact_radius",
