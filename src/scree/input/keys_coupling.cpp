@@ -12,13 +12,11 @@ const Section& coupling_section() {
         "[coupling]",
         "How particles and a fluid that is solved for act on each other; with [fluid] and particles.",
         {key("drag", &S::drag,
-             "law of the drag of a particle among others, from the void fraction, the velocity of the fluid between "
-             "the "
-             "particles and their diameter by volume; stokes and schiller_naumann are those of a particle alone. By "
-             "the "
-             "shape, crowded as by di_felice: haider_levenspiel, by its sphericity; by shape and orientation "
-             "stokes_ellipsoid, ganser, holzer_sommerfeld, and zastawny for ellipsoids of 2:2:5 and 4:4:5 "
-             "(docs/fluid_forces.md)")
+             "none, or the law of the drag of a particle among others, from the void fraction, the velocity of the "
+             "fluid between the particles and their diameter by volume; stokes and schiller_naumann are those of a "
+             "particle alone. By the shape, crowded as by di_felice: haider_levenspiel, by its sphericity; by shape "
+             "and orientation stokes_ellipsoid, ganser, holzer_sommerfeld, and zastawny for ellipsoids of 2:2:5 and "
+             "4:4:5 (docs/fluid_forces.md)")
              .one_of({"none", "stokes", "schiller_naumann", "ergun", "wen_yu", "gidaspow", "gidaspow_blend",
                       "di_felice", "beetstra", "syamlal_obrien", "stokes_ellipsoid", "haider_levenspiel", "ganser",
                       "holzer_sommerfeld", "zastawny"}),
@@ -27,10 +25,8 @@ const Section& coupling_section() {
              "fluid.courant allows at the speeds that the case gives"),
          key("diffusion", &S::diffusion,
              "width of the bell (full width at half maximum) to which volume and forces of a particle are spread "
-             "beyond "
-             "the cells around it; 0: not at all; \"auto\": three of the largest diameters where cells are narrower "
-             "than "
-             "two, else 0")
+             "beyond the cells around it; 0: not at all; \"auto\": three of the largest diameters where cells are "
+             "narrower than two, else 0")
              .unit("m")
              .at_least(0)
              .or_word("auto"),

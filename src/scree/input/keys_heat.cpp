@@ -10,9 +10,8 @@ const Section& heat_section() {
       "heat",
       "[heat]",
       "The temperature of particles: what they exchange with a fluid that carries heat, with each other and with "
-      "walls. "
-      "Columns particle_heat, particle_heat_error, particle_temperature_lowest, _mean, _highest of the series, field "
-      "temperature of frames.",
+      "walls. Columns particle_heat, particle_heat_from_fluid, particle_heat_from_walls, particle_heat_error, "
+      "particle_temperature_lowest, _mean, _highest of the series, field temperature of frames.",
       {key("type", &S::type, "none: particles have no temperature; solved: each has one").one_of({"none", "solved"}),
        key("exchange", &S::exchange,
            "law of the heat between particles and a fluid with [fluid.heat]: that of one sphere, or of spheres among "

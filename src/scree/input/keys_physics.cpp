@@ -51,17 +51,14 @@ const Section& flow_section() {
         "A prescribed flow of a fluid, which the particles do not change, and its drag.",
         {key("type", &S::type,
              "still: at rest; uniform: one velocity; taylor_green: (-A sin ax cos ay cos az, -A cos ax sin ay cos az, "
-             "2 "
-             "A cos ax cos ay sin az); shear: u_x grows with y; expression: formulas")
+             "2 A cos ax cos ay sin az); shear: u_x grows with y; expression: formulas")
              .one_of({"none", "still", "uniform", "taylor_green", "shear", "expression"}),
          key("drag", &S::drag,
-             "law of the drag, of any shape that of the sphere of equal volume: stokes; schiller_naumann: drag "
-             "coefficient "
+             "law of the drag. That of the sphere of equal volume: stokes; schiller_naumann, with the drag coefficient "
              "24 / Re (1 + 0.15 Re^0.687), 0.44 from Re = 1000. By the shape: haider_levenspiel, by its sphericity. By "
              "shape and orientation, with the lift and the torques that belong to it: stokes_ellipsoid, exact for "
              "ellipsoids in creeping flow; ganser; holzer_sommerfeld, by its shadows; zastawny, for ellipsoids of "
-             "2:2:5 "
-             "and 4:4:5 (docs/fluid_forces.md)")
+             "2:2:5 and 4:4:5 (docs/fluid_forces.md)")
              .one_of({"none", "stokes", "schiller_naumann", "stokes_ellipsoid", "haider_levenspiel", "ganser",
                       "holzer_sommerfeld", "zastawny"})
              .only_with("type", flowing),
@@ -74,8 +71,8 @@ const Section& flow_section() {
              .at_least(0)
              .only_with("type", flowing),
          key("buoyancy", &S::buoyancy,
-             "whether the fluid carries its part of the weight: particles then fall in uniform gravity g with "
-             "g (1 - fluid density / particle density)")
+             "whether the fluid carries its part of the weight: particles then fall in uniform gravity g with g (1 - "
+             "fluid density / particle density)")
              .only_with("type", flowing),
          key("velocity", &S::velocity, "of the uniform flow").unit("m/s").required().only_with("type", {"uniform"}),
          key("amplitude", &S::amplitude, "A of the Taylor-Green flow")
@@ -129,16 +126,14 @@ const Section& contact_section() {
       {key("collision", &S::collision,
            "soft: springs and dashpots, the laws below; hard: impulses with restitution and friction, and with the "
            "limits of rolling and twisting where these laws are chosen ([hard] says how they are solved). This one key "
-           "switches between both: what only the other model reads may stand in the case and has no effect "
-           "(scree check names it); cohesion alone is of soft collisions only")
+           "switches between both: what only the other model reads may stand in the case and has no effect (scree "
+           "check names it); cohesion alone is of soft collisions only")
            .one_of({"soft", "hard"}),
        key("detection", &S::detection,
            "how contacts of particles that are no spheres are found. certified: where the bodies touch when they grow "
-           "or "
-           "shrink, with a proof; vertices: by vertices of each surface that lie in the other body or behind a flat "
-           "wall, "
-           "which misses contacts and does not keep the energy of elastic ones, for comparison (docs/vertices.md); "
-           "hard collisions take one point of a contact from them, also where bodies lie flat")
+           "or shrink, with a proof; vertices: by vertices of each surface that lie in the other body or behind a flat "
+           "wall, which misses contacts and does not keep the energy of elastic ones, for comparison "
+           "(docs/vertices.md); hard collisions take one point of a contact from them, also where bodies lie flat")
            .one_of({"certified", "vertices"}),
        key("vertices", &S::vertices, "N of the N x N vertices on each surface")
            .between(4, 100)
@@ -146,8 +141,7 @@ const Section& contact_section() {
        key("spacing", &S::spacing,
            "of the vertices. linear: equal steps of both angles of the parametric form; exponential: the same around "
            "the axis, denser at the equator along it; radial: even on faces; normal: dense where the surface is "
-           "curved; "
-           "mixed: half radial, half normal")
+           "curved; mixed: half radial, half normal")
            .one_of({"linear", "exponential", "radial", "normal", "mixed"})
            .only_with("detection", {"vertices"}),
        law("normal", &sc_laws::normal,
@@ -159,8 +153,7 @@ const Section& contact_section() {
            "collision_spring, collision_spring_damped: spring stretched by the velocity times the duration of the "
            "collision, without and with a dashpot; history: spring with memory; mindlin: the same with Mindlin's "
            "stiffness, in increments so that it never gains energy; mindlin_stretch: Mindlin's stiffness times the "
-           "whole "
-           "stretch, as many codes have it")
+           "whole stretch, as many codes have it")
            .one_of({"none", "sliding", "step_spring", "collision_spring", "collision_spring_damped", "history",
                     "mindlin", "mindlin_stretch"})
            .defaults_to("history; mindlin with normal = 'hertz'"),
