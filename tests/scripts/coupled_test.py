@@ -8,7 +8,7 @@ import unittest
 import h5py
 import numpy
 
-from ranks_common import PROGRAM, Ranks
+from ranks_common import ENVIRONMENT, PROGRAM, Ranks
 
 # A small bed that is blown up, on cells of two kinds, with bodies of two shapes.
 BED = """
@@ -182,7 +182,7 @@ class Coupled(Ranks):
     def test_check_tells_the_room_for_it(self):
         self.run_on(0, BED, "run", "--set", "simulation.end=0.002", "--set", "output.frames=0.001")
         case = self.work / "run" / "case.toml"
-        report = subprocess.run([PROGRAM, "check", str(case)], capture_output=True, text=True).stdout
+        report = subprocess.run([PROGRAM, "check", str(case)], capture_output=True, text=True, env=ENVIRONMENT).stdout
         told = float(re.search(r"disk +up to ([0-9.]+) kB", report).group(1)) * 1000
         taken = sum(p.stat().st_size for p in (self.work / "run").rglob("*") if p.is_file())
         self.assertLess(taken, told)

@@ -10,6 +10,7 @@
 #include "run_files.h"
 #include "scree/app/build_walls.h"
 #include "scree/app/derived.h"
+#include "scree/app/idle_keys.h"
 #include "scree/app/memory_need.h"
 #include "scree/app/outside.h"
 #include "scree/app/wall_jumps.h"
@@ -163,6 +164,36 @@ TEST(Memory, OfTheMachineIsKnown) {
   ASSERT_TRUE(available);
   EXPECT_GT(*available, 1e7);
   EXPECT_LT(*available, 1e15);
+}
+
+TEST(Idle, WhatBelongsToSomethingThatTheCaseDoesNotHaveIsNamed) {
+  const auto idle = [](const std::string& more) {
+    std::string out;
+    for (const IdleTable& table : idle_tables(case_of(domain_text(more)))) out += table.keys + " ";
+    return out;
+  };
+  EXPECT_EQ(idle(""), "");
+  EXPECT_EQ(idle("[coupling]\ndrag = \"gidaspow_blend\"\n"), "");
+  EXPECT_EQ(idle("[coupling]\ndrag = \"di_felice\"\n"), "coupling ");
+  EXPECT_EQ(idle("[coupling]\nmagnus = true\n"), "coupling ");
+  const std::string fluid =
+      "[fluid]\ntype = \"incompressible\"\ndensity = 1\nviscosity = 1e-5\ncells = [4, 4, 4]\n";
+  EXPECT_EQ(idle("[coupling]\ndrag = \"di_felice\"\n" + fluid), "");
+  Case warm = case_of(domain_text(fluid + wall("type = \"box\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]")));
+  warm.heat.type = "solved";
+  EXPECT_TRUE(idle_tables(warm).empty());
+  warm.heat.exchange = "ranz_marshall";
+  ASSERT_EQ(idle_tables(warm).size(), 1u);
+  EXPECT_EQ(idle_tables(warm)[0].keys, "heat.exchange");
+  warm.fluid.heat.type = "solved";
+  EXPECT_TRUE(idle_tables(warm).empty());
+  warm.walls[0].temperature = 300;
+  EXPECT_TRUE(idle_tables(warm).empty());
+  warm.heat.conduction = false;
+  ASSERT_EQ(idle_tables(warm).size(), 1u);
+  EXPECT_EQ(idle_tables(warm)[0].keys, "walls.temperature");
+  const std::string report = check_report(warm, derive(warm));
+  EXPECT_NE(report.find("walls.temperature, without heat.conduction"), std::string::npos) << report;
 }
 
 }  // namespace

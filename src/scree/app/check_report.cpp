@@ -185,6 +185,13 @@ void say_idle(const Case& c, Lines& lines) {
                    fmt::format("{}", fmt::join(keys, ", ")), Verdict::none, ""});
 }
 
+/// What belongs to something that the case does not have.
+void say_idle_tables(const Case& c, Lines& lines) {
+  for (const IdleTable& idle : idle_tables(c))
+    lines.push_back({"no effect", fmt::format("{}, without {}", idle.keys, idle.missing), Verdict::warning,
+                     "remove it, or give what it needs"});
+}
+
 /// What the boundaries do to particles and fields.
 void say_boundaries(const Case& c, const Derived& d, Lines& lines) {
   std::string open;
@@ -333,6 +340,7 @@ Lines all_lines(const Case& c, const Derived& d, const std::optional<OutputPlace
   say_particles(c, d, lines);
   say_step(c, d.step, lines);
   say_idle(c, lines);
+  say_idle_tables(c, lines);
   say_boundaries(c, d, lines);
   say_meshes(c, d, lines);
   say_places(c, d, lines);

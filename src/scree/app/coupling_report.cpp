@@ -140,9 +140,10 @@ std::vector<CouplingNote> coupling_notes(const Case& c, const Derived& derived) 
   const CouplingSettings s = build_coupling_settings(c, derived.kinds, derived.step.time_step);
   std::vector<CouplingNote> notes;
   bool few = false;
-  double least = INFINITY;
+  double least = INFINITY, shortest = INFINITY;
   for (int a = 0; a < 3; ++a) {
     few |= g.cells(a) > 1 && g.cells(a) < few_cells;
+    if (g.cells(a) > 1) shortest = std::min(shortest, g.faces[a].back() - g.faces[a].front());
     for (int i = 0; g.cells(a) > 1 && i < g.cells(a); ++i) least = std::min(least, g.width(a, i));
   }
   notes.push_back(
@@ -157,8 +158,10 @@ std::vector<CouplingNote> coupling_notes(const Case& c, const Derived& derived) 
         {"cells per diameter",
          s.diffusion > 0 ? fmt::format("{:.3g}; particles are spread to {:.3g} m", least / largest, s.diffusion)
                          : fmt::format("{:.3g}", least / largest),
-         s.diffusion == 0 && least < narrow * largest ? "cells this narrow need diffusion: remove coupling.diffusion"
-                                                      : ""});
+         s.diffusion == 0 && least < narrow * largest
+             ? "cells this narrow need diffusion: remove coupling.diffusion"
+         : s.diffusion >= shortest ? fmt::format("coupling.diffusion is as wide as the domain, {:.3g} m", shortest)
+                                   : ""});
   for (const BodyKind& kind : derived.kinds)
     if ((s.forces.drag != SC_DRAG_NONE || s.forces.body_drag != 0) && kind.smallest > 0)
       say_kind(c, s, region, kind, expected_voidage(derived), notes);

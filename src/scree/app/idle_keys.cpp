@@ -53,4 +53,15 @@ std::vector<std::string> idle_keys(const Case& c) {
   return out;
 }
 
+std::vector<IdleTable> idle_tables(const Case& c) {
+  std::vector<IdleTable> out;
+  if (!couples(c) && c.coupling != CouplingKeys{}) out.push_back({"coupling", "[fluid] and particles"});
+  if (warms(c) && !exchanges_heat(c) && c.heat.exchange != HeatKeys{}.exchange && c.heat.exchange != "none")
+    out.push_back({"heat.exchange", "a fluid with [fluid.heat]"});
+  const auto has_temperature = [](const WallKeys& wall) { return wall.temperature.has_value(); };
+  if (warms(c) && !c.heat.conduction && std::ranges::any_of(c.walls, has_temperature))
+    out.push_back({"walls.temperature", "heat.conduction"});
+  return out;
+}
+
 }  // namespace scree

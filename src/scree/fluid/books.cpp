@@ -95,8 +95,8 @@ void enter_correction(FluidSolver& s, const Bdf& bdf) {
 
 void open_books(FluidSolver& s) {
   s.state.books = {};
-  const std::array<double, 4> now = content(s);
-  for (int a = 0; a < 4; ++a) s.state.books.content[a] = s.ranks.sum(now[a]);
+  s.state.books.content = content(s);
+  s.ranks.add_up(s.state.books.content);
 }
 
 void close_books(FluidSolver& s, const Bdf& bdf) {
@@ -110,10 +110,12 @@ void close_books(FluidSolver& s, const Bdf& bdf) {
     turned += std::abs(out);
   }
   b.turned[3] += s.ranks.sum(turned);
+  s.ranks.add_up(now);
+  s.ranks.add_up(gain);
   for (int a = 0; a < 4; ++a) {
-    const double change = s.ranks.sum(now[a]) - b.content[a], entered = s.ranks.sum(gain[a]);
-    b.error[a] += bdf.a0 * change - bdf.a2 * b.change[a] - entered;
-    if (a < 3) b.turned[a] += std::abs(entered);
+    const double change = now[a] - b.content[a];
+    b.error[a] += bdf.a0 * change - bdf.a2 * b.change[a] - gain[a];
+    if (a < 3) b.turned[a] += std::abs(gain[a]);
     b.content[a] += change;
     b.change[a] = change;
   }

@@ -120,7 +120,7 @@ std::array<double, FluidBooks::works> power(const FluidSolver& s) {
   add_boundary_power(s, sum);
   for (const Powers& row : rows)
     for (int n = 0; n < FluidBooks::works; ++n) sum[n] += row[n];
-  for (double& x : sum) x = s.ranks.sum(x);
+  s.ranks.add_up(sum);
   return sum;
 }
 

@@ -61,7 +61,7 @@ FluidMeasured measure(const FluidSolver& s) {
     fastest = std::max(fastest, speed2);
   });
   out.mass = s.ranks.sum(out.mass);
-  for (double& p : out.momentum) p = s.ranks.sum(p);
+  s.ranks.add_up(out.momentum);
   out.kinetic = s.ranks.sum(out.kinetic);
   out.dissipation = s.ranks.sum(dissipation);
   out.fastest = std::sqrt(s.ranks.largest(fastest));
@@ -82,7 +82,7 @@ std::vector<PatchLoad> patch_loads(const FluidSolver& s) {
   }
   for (PatchLoad& load : out) {
     load.flow = s.ranks.sum(load.flow);
-    for (double& x : load.force) x = s.ranks.sum(x);
+    s.ranks.add_up(load.force);
   }
   return out;
 }
@@ -120,7 +120,7 @@ std::optional<std::vector<double>> sample(const FluidSolver& s, const std::array
     // Beside a body some corners are no fluid.
     sum.back() = std::abs(fluid - 1) < 1e-9 ? 1 : 0;
   }
-  for (double& x : sum) x = s.ranks.sum(x);
+  s.ranks.add_up(sum);
   if (sum.back() == 0) return {};
   sum.pop_back();
   return sum;

@@ -10,9 +10,20 @@ namespace {
 constexpr int many = FluidState::earlier_corrections;
 
 /// The quadratic form of the corrections with each other, and their products with the right-hand side.
-struct Products {
-  std::array<std::array<double, many>, many> form{};  // lower triangle
-  std::array<double, many> rhs{};
+class Products {
+ public:
+  double& rhs(int p) { return values[p]; }
+  double rhs(int p) const { return values[p]; }
+  /// The lower triangle, q <= p.
+  double& form(int p, int q) { return values[many + p * (p + 1) / 2 + q]; }
+  double form(int p, int q) const { return values[many + p * (p + 1) / 2 + q]; }
+
+  Products& operator+=(const Products& other) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += other.values[i];
+    return *this;
+  }
+
+  std::array<double, many + many*(many + 1) / 2> values{};
 };
 
 double product(const double* a, const double* b, int n) {
@@ -31,8 +42,8 @@ Products of_row(const FluidSolver& s, const Field& b, std::int64_t at) {
     const double* x = s.state.corrections[p].data();
 #pragma omp simd
     for (int i = 0; i < n; ++i) left[i] = equations(x, at + i);
-    out.rhs[p] = product(b.data() + at, x + at, n);
-    for (int q = 0; q <= p; ++q) out.form[p][q] = product(s.state.corrections[q].data() + at, left.data(), n);
+    out.rhs(p) = product(b.data() + at, x + at, n);
+    for (int q = 0; q <= p; ++q) out.form(p, q) = product(s.state.corrections[q].data() + at, left.data(), n);
   }
   return out;
 }
@@ -44,15 +55,8 @@ Products of_all(const FluidSolver& s, const Field& b) {
   for_each_row(m,
                [&](int j, int k) { rows[j + static_cast<std::size_t>(k) * m.n[1]] = of_row(s, b, m.index(0, j, k)); });
   Products sum;
-  for (const Products& row : rows)
-    for (int p = 0; p < many; ++p) {
-      sum.rhs[p] += row.rhs[p];
-      for (int q = 0; q <= p; ++q) sum.form[p][q] += row.form[p][q];
-    }
-  for (int p = 0; p < many; ++p) {
-    sum.rhs[p] = s.ranks.sum(sum.rhs[p]);
-    for (int q = 0; q <= p; ++q) sum.form[p][q] = s.ranks.sum(sum.form[p][q]);
-  }
+  for (const Products& row : rows) sum += row;
+  s.ranks.add_up(sum.values);
   return sum;
 }
 
@@ -64,17 +68,17 @@ std::array<double, many> weights_of(const Products& g) {
   std::array<std::array<double, many>, many> lower{};
   std::array<double, many> d{}, w{};
   for (int p = 0; p < many; ++p) {
-    double rest = g.form[p][p];
-    w[p] = g.rhs[p];
+    double rest = g.form(p, p);
+    w[p] = g.rhs(p);
     for (int q = 0; q < p; ++q) {
       if (d[q] == 0) continue;
-      double shared = g.form[p][q];
+      double shared = g.form(p, q);
       for (int r = 0; r < q; ++r) shared -= lower[p][r] * d[r] * lower[q][r];
       lower[p][q] = shared / d[q];
       rest -= lower[p][q] * shared;
       w[p] -= lower[p][q] * w[q];
     }
-    d[p] = rest > nothing_new * g.form[p][p] ? rest : 0;
+    d[p] = rest > nothing_new * g.form(p, p) ? rest : 0;
   }
   for (int p = many - 1; p >= 0; --p) {
     w[p] = d[p] > 0 ? w[p] / d[p] : 0;

@@ -24,7 +24,7 @@ std::vector<double> scalar_loads(const FluidSolver& s, std::size_t n) {
     const int patch = s.boundary[i].patch;
     (patch >= 0 ? out[patch] : out.back()) += scalar_outflow(s, n, i);
   }
-  for (double& load : out) load = s.ranks.sum(load);
+  s.ranks.add_up(out);
   return out;
 }
 

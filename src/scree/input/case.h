@@ -50,6 +50,8 @@ struct GravityKeys {
 struct FluidForceKeys {
   std::string shape_lift = "auto", pitching_torque = "auto", viscous_torque = "auto";  // auto, on, off
   bool saffman = false, magnus = false, added_mass = false;
+
+  bool operator==(const FluidForceKeys&) const = default;
 };
 
 struct FlowKeys : FluidForceKeys {
@@ -322,6 +324,8 @@ struct CouplingKeys : FluidForceKeys {
   std::optional<double> diffusion;      // width [m]; empty: three diameters where cells are under two
   double least_void_fraction = 0.2;
   bool pressure_force = true, viscous_stress = false;
+
+  bool operator==(const CouplingKeys&) const = default;
 };
 
 /// Heat of the particles.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <numeric>
 
 #ifdef SCREE_MPI
 #include <mpi.h>
@@ -108,10 +107,18 @@ std::int64_t Ranks::total(std::int64_t mine) const {
 }
 
 double Ranks::sum(double mine) const {
-  if (alone()) return mine;
-  std::vector<double> all(count_);
-  MPI_Allgather(&mine, 1, MPI_DOUBLE, all.data(), 1, MPI_DOUBLE, MPI_COMM_WORLD);
-  return std::accumulate(all.begin(), all.end(), 0.0);
+  add_up({&mine, 1});
+  return mine;
+}
+
+void Ranks::add_up(std::span<double> mine) const {
+  if (alone()) return;
+  const std::size_t n = mine.size();
+  std::vector<double> all(n * static_cast<std::size_t>(count_));
+  MPI_Allgather(mine.data(), static_cast<int>(n), MPI_DOUBLE, all.data(), static_cast<int>(n), MPI_DOUBLE,
+                MPI_COMM_WORLD);
+  std::ranges::fill(mine, 0.0);
+  for (std::size_t at = 0; at < all.size(); ++at) mine[at % n] += all[at];
 }
 
 void Ranks::add_up(std::vector<std::int64_t>& mine) const {
@@ -227,6 +234,7 @@ void RanksOfRun::bring_down(int code) const {
 double Ranks::largest(double mine) const { return mine; }
 std::int64_t Ranks::total(std::int64_t mine) const { return mine; }
 double Ranks::sum(double mine) const { return mine; }
+void Ranks::add_up(std::span<double>) const {}
 void start_mpi_alone() {}
 void Ranks::add_up(std::vector<std::int64_t>&) const {}
 void Ranks::find_largest(std::vector<double>&) const {}

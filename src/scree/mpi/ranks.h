@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,9 @@ class Ranks {
 
   /// The sums of all values of all ranks, place by place.
   void add_up(std::vector<std::int64_t>& mine) const;
+
+  /// The same of numbers, added by rising rank as sum() does.
+  void add_up(std::span<double> mine) const;
 
   /// The largest values of all ranks, place by place.
   void find_largest(std::vector<double>& mine) const;

@@ -1,0 +1,65 @@
+// What `scree check` says of a coupled case before it is run: too few cells, cells that need what they are not given,
+// drag that is too stiff or outside what its law was measured for.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine_cases.h"
+#include "scree/app/coupling_report.h"
+#include "scree/app/derived.h"
+
+namespace scree {
+namespace {
+
+using namespace test;
+
+Case bed(const std::string& cells, const std::string& coupling, const std::string& speed = "0.3") {
+  return case_of(
+      "[simulation]\nend = 1\ntime_step = 1e-5\n[domain]\nmin = [0, 0, 0]\nmax = [0.04, 0.08, 0.04]\n"
+      "[gravity]\ntype = \"uniform\"\nacceleration = [0, -9.81, 0]\n"
+      "[[materials]]\nname = \"glass\"\ndensity = 2500\nstiffness = 1000\n"
+      "[[particles]]\nname = \"beads\"\nmaterial = \"glass\"\ndiameter = 0.002\ninsert = \"random\"\ncount = 9000\n"
+      "[fluid]\ntype = \"incompressible\"\ndensity = 1.2\nviscosity = 1.8e-5\ncells = " +
+      cells +
+      "\n[[fluid.patches]]\nname = \"in\"\nface = \"y_min\"\ntype = \"inlet\"\nvelocity = [\"0\", \"" + speed +
+      "\", \"0\"]\n[[fluid.patches]]\nname = \"out\"\nface = \"y_max\"\ntype = \"outlet\"\n[coupling]\n" + coupling);
+}
+
+/// The remedies, one to a line.
+std::string remedies(const Case& c) {
+  std::string out;
+  for (const CouplingNote& note : coupling_notes(c, derive(c)))
+    if (!note.remedy.empty()) out += note.remedy + "\n";
+  return out;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(CouplingReport, SaysNothingAgainstASoundBed) { EXPECT_EQ(remedies(bed("[8, 16, 8]", "subcycles = 10\n")), ""); }
+
+TEST(CouplingReport, NamesTooFewCells) {
+  EXPECT_TRUE(has(remedies(bed("[2, 16, 8]", "subcycles = 10\n")), "two cells across"));
+  // One is a flow without that direction, and meant.
+  EXPECT_EQ(remedies(bed("[1, 16, 8]", "subcycles = 10\n")), "");
+}
+
+TEST(CouplingReport, NamesCellsThatNeedDiffusionAndDiffusionThatLeavesNothing) {
+  const std::string narrow = "[20, 40, 20]";
+  EXPECT_EQ(remedies(bed(narrow, "subcycles = 10\n")), "");
+  EXPECT_TRUE(has(remedies(bed(narrow, "subcycles = 10\ndiffusion = 0\n")), "need diffusion"));
+  EXPECT_EQ(remedies(bed(narrow, "subcycles = 10\ndiffusion = 0.039\n")), "");
+  EXPECT_TRUE(has(remedies(bed(narrow, "subcycles = 10\ndiffusion = 0.041\n")), "as wide as the domain, 0.04 m"));
+}
+
+TEST(CouplingReport, NamesDragThatIsStifferThanTheStepIsShort) {
+  EXPECT_TRUE(has(remedies(bed("[8, 16, 8]", "subcycles = 100000\n")), "stiffer than the fluid's step"));
+}
+
+TEST(CouplingReport, NamesSpeedsThatTheLawWasNotMeasuredAt) {
+  // 0.3 m/s over a void fraction of 0.4 make a Reynolds number of 1.2 * 0.3 * 0.002 / 1.8e-5 = 40.
+  EXPECT_EQ(remedies(bed("[8, 16, 8]", "subcycles = 10\ndrag = \"beetstra\"\n")), "");
+  EXPECT_TRUE(has(remedies(bed("[8, 16, 8]", "subcycles = 10\ndrag = \"beetstra\"\n", "10")), "has been measured up to"));
+}
+
+}  // namespace
+}  // namespace scree
