@@ -2,9 +2,11 @@
 // drag that is too stiff or outside what its law was measured for.
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "engine_cases.h"
+#include "scree/app/build_coupling.h"
 #include "scree/app/coupling_report.h"
 #include "scree/app/derived.h"
 
@@ -53,6 +55,22 @@ TEST(CouplingReport, NamesCellsThatNeedDiffusionAndDiffusionThatLeavesNothing) {
 
 TEST(CouplingReport, NamesDragThatIsStifferThanTheStepIsShort) {
   EXPECT_TRUE(has(remedies(bed("[8, 16, 8]", "subcycles = 100000\n")), "stiffer than the fluid's step"));
+}
+
+TEST(CouplingReport, NamesStepsThatShakeABedInALiquid) {
+  Case c = bed("[8, 16, 8]", "subcycles = 10\n", "0.001");
+  c.fluid.density = 1000;
+  c.fluid.viscosity = 1e-3;
+  EXPECT_TRUE(has(remedies(c), "shake"));
+  // Half a swing of two spheres of 10.5 mg on a spring of 1000 N/m: 0.23 ms.
+  const double contact = std::numbers::pi * std::sqrt(2500 * std::numbers::pi / 6 * 8e-9 / 2 / 1000);
+  EXPECT_DOUBLE_EQ(longest_step_in_bed(c, derive(c).kinds, contact), contact / 6);
+  c.coupling.subcycles = static_cast<std::uint64_t>(contact / 6 / 1e-5);
+  EXPECT_EQ(remedies(c), "");
+  c.coupling.subcycles = 0;
+  EXPECT_EQ(build_coupling_settings(c, derive(c).kinds, derive(c).step).subcycles, static_cast<int>(contact / 6 / 1e-5));
+  c.fluid.density = 1.2;
+  EXPECT_TRUE(std::isinf(longest_step_in_bed(c, derive(c).kinds, contact)));
 }
 
 TEST(CouplingReport, NamesSpeedsThatTheLawWasNotMeasuredAt) {

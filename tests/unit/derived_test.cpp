@@ -96,7 +96,7 @@ TEST(Derived, ShortestLinearContactIsWithTheWall) {
   EXPECT_NE(d.step.shortest.find("'small'"), std::string::npos) << d.step.shortest;
   EXPECT_NE(d.step.shortest.find("wall 'floor'"), std::string::npos) << d.step.shortest;
   EXPECT_EQ(d.step.steps, std::ceil(1 / d.step.time_step));
-  EXPECT_EQ(time_step_of(c, build_materials(c), body_kinds(c), build_walls(c)), d.step.time_step);
+  EXPECT_EQ(sound_step(c, build_materials(c), body_kinds(c), build_walls(c)).time_step, d.step.time_step);
   c.walls.clear();
   EXPECT_NEAR(derive(c).step.contact_time, 8.230490105296017e-05, 1e-16);
 }
@@ -133,10 +133,10 @@ TEST(Derived, FewStepsAreRefusedOrWarnedOf) {
   const double contact = derive(c).step.contact_time;
   const Materials materials = build_materials(c);
   c.simulation.time_step = contact / 9.9;
-  EXPECT_THROW(time_step_of(c, materials, body_kinds(c), build_walls(c)), InputError);
+  EXPECT_THROW(sound_step(c, materials, body_kinds(c), build_walls(c)), InputError);
   EXPECT_NE(check_report(c, derive(c)).find("refused  steps per contact"), std::string::npos);
   c.simulation.time_step = contact / 12;
-  EXPECT_EQ(time_step_of(c, materials, body_kinds(c), build_walls(c)), contact / 12);
+  EXPECT_EQ(sound_step(c, materials, body_kinds(c), build_walls(c)).time_step, contact / 12);
   EXPECT_NE(check_report(c, derive(c)).find("warning  steps per contact"), std::string::npos);
   c.simulation.time_step = contact / 15.1;
   EXPECT_NE(check_report(c, derive(c)).find("ok       steps per contact"), std::string::npos);
@@ -144,7 +144,7 @@ TEST(Derived, FewStepsAreRefusedOrWarnedOf) {
   c.walls.clear();
   c.particles.resize(1);
   c.particles[0].positions.resize(1);
-  EXPECT_THROW(time_step_of(c, materials, body_kinds(c), build_walls(c)), InputError);
+  EXPECT_THROW(sound_step(c, materials, body_kinds(c), build_walls(c)), InputError);
   EXPECT_NE(check_report(c, derive(c)).find("refused  time step"), std::string::npos);
 }
 
@@ -153,7 +153,7 @@ TEST(Derived, MoreStepsThanCanBeCountedAreRefusedWithTheirPlace) {
       "[simulation]\nend = 1e15\n[domain]\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n[[materials]]\nname = \"a\"\n"
       "density = 2500\nstiffness = 1e5\n[[particles]]\nmaterial = \"a\"\ndiameter = 0.01\ncount = 8\n";
   const auto time_step = [](const Case& c) {
-    return time_step_of(c, build_materials(c), body_kinds(c), build_walls(c));
+    return sound_step(c, build_materials(c), body_kinds(c), build_walls(c)).time_step;
   };
   const Case c = parse_case(text, "case.toml");
   try {

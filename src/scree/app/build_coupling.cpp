@@ -6,7 +6,6 @@
 #include "scree/app/build_fluid.h"
 #include "scree/app/build_forces.h"
 #include "scree/app/build_heat.h"
-#include "scree/app/derived.h"
 #include "scree/input/located.h"
 
 namespace scree {
@@ -37,12 +36,22 @@ double fluid_step(const Case& c, const FluidRegion& region, const std::vector<Bo
 
 }  // namespace
 
-CouplingSettings build_coupling_settings(const Case& c, const std::vector<BodyKind>& kinds, double particle_step) {
+double longest_step_in_bed(const Case& c, const std::vector<BodyKind>& kinds, double contact_time) {
+  constexpr double sluggish = 0.1;  // inertia of the fluid that makes way for particles, over their own
+  constexpr double answered = 1.0 / 6;
+  double heaviness = 0;
+  for (const BodyKind& kind : kinds)
+    if (kind.free) heaviness = std::max(heaviness, c.fluid.density / kind.density);
+  return 1.5 * (1 - dense) / dense * heaviness > sluggish ? answered * contact_time : INFINITY;
+}
+
+CouplingSettings build_coupling_settings(const Case& c, const std::vector<BodyKind>& kinds, const DerivedStep& step) {
   const FluidRegion region = build_fluid_region(c);
   const CouplingKeys& k = c.coupling;
   CouplingSettings s;
-  s.step = particle_step;
-  const double fitting = std::floor(fluid_step(c, region, kinds) / particle_step * (1 + 1e-9));
+  s.step = step.time_step;
+  const double longest = std::min(fluid_step(c, region, kinds), longest_step_in_bed(c, kinds, step.contact_time));
+  const double fitting = std::floor(longest / step.time_step * (1 + 1e-9));
   s.subcycles = static_cast<int>(k.subcycles > 0 ? static_cast<double>(k.subcycles) : std::clamp(fitting, 1.0, 1e6));
   s.forces = build_forces(k.drag, k);
   double largest = 0;

@@ -131,13 +131,23 @@ void say_kind(const Case& c, const CouplingSettings& s, const FluidRegion& regio
   say_forces(c, s, kind, reynolds, notes);
 }
 
+/// A bed at rest in a liquid shakes itself apart if the fluid answers too late.
+std::string slow_in_bed(const Case& c, const Derived& derived, const CouplingSettings& s) {
+  const double longest = longest_step_in_bed(c, derived.kinds, derived.step.contact_time);
+  if (expected_voidage(derived) != packed || s.fluid_step() <= longest * (1 + 1e-9)) return "";
+  return fmt::format(
+      "in so dense a fluid, particles that lie on each other shake with steps above {:.3g} s, a sixth of a contact: "
+      "coupling.subcycles = 0, or at most {:.0f}",
+      longest, std::max(1.0, std::floor(longest / s.step * (1 + 1e-9))));
+}
+
 }  // namespace
 
 std::vector<CouplingNote> coupling_notes(const Case& c, const Derived& derived) {
   if (!couples(c) || std::isnan(derived.step.time_step)) return {};
   const FluidRegion region = build_fluid_region(c);
   const Grid& g = region.grid;
-  const CouplingSettings s = build_coupling_settings(c, derived.kinds, derived.step.time_step);
+  const CouplingSettings s = build_coupling_settings(c, derived.kinds, derived.step);
   std::vector<CouplingNote> notes;
   bool few = false;
   double least = INFINITY, shortest = INFINITY;
@@ -150,7 +160,8 @@ std::vector<CouplingNote> coupling_notes(const Case& c, const Derived& derived) 
       {"grid of the fluid", grid_text(g),
        few ? "two cells across the domain show hardly anything of the flow there; one or at least three" : ""});
   notes.push_back(
-      {"time step of the fluid", fmt::format("{:.4g} s, {} of the particles'", s.fluid_step(), s.subcycles), ""});
+      {"time step of the fluid", fmt::format("{:.4g} s, {} of the particles'", s.fluid_step(), s.subcycles),
+       slow_in_bed(c, derived, s)});
   double largest = 0;
   for (const BodyKind& kind : derived.kinds) largest = std::max(largest, kind.largest);
   if (std::isfinite(least) && largest > 0)

@@ -84,23 +84,6 @@ void derive_soft_step(const Case& c, const Materials& materials, const std::vect
   out.steps_per_contact = out.contact_time / out.time_step;
 }
 
-DerivedStep derive_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds,
-                        const Walls& walls) {
-  DerivedStep out;
-  const TopSpeed top = top_speed(c, kinds, walls);
-  out.top_speed = top.value;
-  out.top_speed_source = top.source;
-  out.fastest_wall = top.wall;
-  out.automatic = !c.simulation.time_step;
-  if (c.simulation.time_step) out.time_step = *c.simulation.time_step;
-  if (is_hard(c))
-    derive_hard_step(c, kinds, out);
-  else
-    derive_soft_step(c, materials, kinds, out);
-  out.steps = std::ceil(c.simulation.end / out.time_step * (1 - 1e-12));
-  return out;
-}
-
 std::vector<DerivedLift> derive_lift(const Case& c, const std::vector<BodyKind>& kinds) {
   std::vector<DerivedLift> out;
   if (c.flow.type == "none" || c.flow.density == 0 || c.gravity.type != "uniform") return out;
@@ -192,6 +175,23 @@ double typical_speed(const DerivedFluid& fluid, const DerivedStep& step) {
 
 }  // namespace
 
+DerivedStep derive_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds,
+                        const Walls& walls) {
+  DerivedStep out;
+  const TopSpeed top = top_speed(c, kinds, walls);
+  out.top_speed = top.value;
+  out.top_speed_source = top.source;
+  out.fastest_wall = top.wall;
+  out.automatic = !c.simulation.time_step;
+  if (c.simulation.time_step) out.time_step = *c.simulation.time_step;
+  if (is_hard(c))
+    derive_hard_step(c, kinds, out);
+  else
+    derive_soft_step(c, materials, kinds, out);
+  out.steps = std::ceil(c.simulation.end / out.time_step * (1 - 1e-12));
+  return out;
+}
+
 Derived derive(const Case& c) {
   const Materials materials = build_materials(c);
   Derived out;
@@ -206,8 +206,9 @@ Derived derive(const Case& c) {
   return out;
 }
 
-double time_step_of(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds, const Walls& walls) {
-  const DerivedStep step = derive_step(c, materials, kinds, walls);
+DerivedStep sound_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds,
+                       const Walls& walls) {
+  DerivedStep step = derive_step(c, materials, kinds, walls);
   if (std::isnan(step.time_step))
     throw InputError(std::string("simulation.time_step: \"auto\" has no ") +
                      (is_hard(c) ? "speed to go by, as nothing moves in this case\n"
@@ -220,7 +221,7 @@ double time_step_of(const Case& c, const Materials& materials, const std::vector
         step.time_step, step.steps_per_contact, step.shortest, fewest_steps_per_contact, step.contact_time / 25));
   if (!(step.steps <= most_steps))
     throw error_at(c, "simulation.end", too_many_steps(c.simulation.end, step.time_step));
-  return step.time_step;
+  return step;
 }
 
 std::optional<CohesiveImpact> typical_impact(const Case& c, const Materials& materials,

@@ -106,13 +106,17 @@ struct Derived {
 /// All numbers of a case. Throws InputError if its materials or particles cannot be made.
 Derived derive(const Case& c);
 
-/// The time step of the run [s]: simulation.time_step, or the shortest contact time over simulation.steps_per_contact,
-/// over every pair of materials and sizes that the case can create, walls included, and no longer than strong dashpots
-/// bear (longest_damped_step). Hertz counts with the top speed; if
-/// nothing is known to move, the step is a fifth of the Rayleigh time.
-/// Throws InputError when a contact would take fewer than ten steps, when the run would take more than `most_steps`
-/// (input/checks.h), or when "auto" has no contact to go by.
-double time_step_of(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds, const Walls& walls);
+/// Steps and contacts. The time step of the run is simulation.time_step, or the shortest contact time over
+/// simulation.steps_per_contact, over every pair of materials and sizes that the case can create, walls included, and no
+/// longer than strong dashpots bear (longest_damped_step). Hertz counts with the top speed; if nothing is known to move,
+/// the step is a fifth of the Rayleigh time.
+DerivedStep derive_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds,
+                        const Walls& walls);
+
+/// The same for a run. Throws InputError when a contact would take fewer than ten steps, when the run would take more
+/// than `most_steps` (input/checks.h), or when "auto" has no contact to go by.
+DerivedStep sound_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds,
+                       const Walls& walls);
 
 /// The impact that the stickiness number of the case is about: two particles of mean volume of the most numerous kind
 /// (see typical_encounter). Empty without linear cohesion.

@@ -39,11 +39,13 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const R
   // What there is at all only all particles tell; where sizes matter, every rank has read them all.
   if (resumed) saved = particles_of(*resumed, takes_over(c) ? Ranks() : ranks);
   const std::vector<BodyKind> kinds = body_kinds(c, saved ? &*saved : nullptr);
-  clock_.dt = resumed && takes_over(c) ? resumed->number("time_step")
-                                       : time_step_of(c, system_.materials, kinds, system_.walls);
+  const bool continues = resumed && takes_over(c);
+  DerivedStep step = (continues ? derive_step : sound_step)(c, system_.materials, kinds, system_.walls);
+  if (continues) step.time_step = resumed->number("time_step");
+  clock_.dt = step.time_step;
   if (couples(c)) {
     coupling_ = std::make_unique<FluidCoupling>(build_fluid_region(c), build_loaded_fluid(c),
-                                                build_coupling_settings(c, kinds, clock_.dt), system_.forms, ranks);
+                                                build_coupling_settings(c, kinds, step), system_.forms, ranks);
     system_.particles.couple(coupling_->settings.forces.turn());
     fields_.drag = SC_DRAG_OF_FIELD;
   }

@@ -1,0 +1,89 @@
+// A bed of beads under a liquid that rises too slowly to carry it: it settles and comes to rest.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "scree/base/error.h"
+#include "support/coupled_cloud.h"
+
+namespace scree {
+namespace {
+
+using namespace test;
+
+std::string bed(int subcycles) {
+  return fmt::format(R"toml(
+[simulation]
+end = 0.4
+time_step = "auto"
+top_speed = 0.05
+max_overlap = 0.5
+[domain]
+min = [0, 0, 0]
+max = [0.003, 0.03, 0.003]
+periodic = [true, false, true]
+[gravity]
+type = "uniform"
+acceleration = [0, -9.81, 0]
+[contact]
+normal = "linear"
+tangential = "history"
+[[materials]]
+name = "glass"
+density = 2500
+stiffness = 10
+restitution = 0.8
+friction = 0.3
+[[particles]]
+material = "glass"
+diameter = 0.001
+insert = "random"
+count = 100
+region_min = [0, 0, 0]
+region_max = [0.003, 0.018, 0.003]
+[[walls]]
+material = "glass"
+type = "plane"
+point = [0, 0, 0]
+normal = [0, 1, 0]
+[fluid]
+type = "incompressible"
+density = 1000
+viscosity = 1e-3
+cells = [1, 15, 1]
+[[fluid.patches]]
+face = "y_min"
+type = "inlet"
+velocity = ["0", "0.003", "0"]
+[[fluid.patches]]
+face = "y_max"
+type = "outlet"
+[coupling]
+subcycles = {}
+)toml",
+                     subcycles);
+}
+
+double kinetic_energy(const Simulation& s) {
+  const Particles& p = s.system().particles;
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double* m = p.motion.row(i);
+    for (int a = 0; a < 3; ++a) sum += 0.5 * p.mass[i] * m[lane::vx + a] * m[lane::vx + a];
+  }
+  return sum;
+}
+
+// The steps of the fluid that are chosen for it are short enough; ten times as long, its pressure answers the swing of the
+// packed beads too late and drives it on until they burst apart.
+TEST(CoupledBed, ComesToRestUnderALiquidAtTheStepsChosenForIt) {
+  Simulation chosen(case_of(bed(0)), 1);
+  EXPECT_EQ(chosen.coupling()->settings.subcycles, 4);
+  while (chosen.clock().now() < 0.4) chosen.step();
+  // At the speed they fall with it would be 1e-7 J.
+  EXPECT_LT(kinetic_energy(chosen), 1e-12);
+  Simulation late(case_of(bed(40)), 1);
+  EXPECT_THROW(while (late.clock().now() < 0.4) late.step(), PhysicsError);
+}
+
+}  // namespace
+}  // namespace scree
