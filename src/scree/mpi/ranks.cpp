@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <numeric>
 
 #ifdef SCREE_MPI
 #include <mpi.h>
