@@ -192,6 +192,7 @@ TEST(Idle, WhatBelongsToSomethingThatTheCaseDoesNotHaveIsNamed) {
   warm.heat.conduction = false;
   ASSERT_EQ(idle_tables(warm).size(), 1u);
   EXPECT_EQ(idle_tables(warm)[0].keys, "walls.temperature");
+  warm.fluid.heat.type = "none";
   const std::string report = check_report(warm, derive(warm));
   EXPECT_NE(report.find("walls.temperature, without heat.conduction"), std::string::npos) << report;
 }

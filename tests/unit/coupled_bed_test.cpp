@@ -8,8 +8,6 @@
 namespace scree {
 namespace {
 
-using namespace test;
-
 std::string bed(int subcycles) {
   return fmt::format(R"toml(
 [simulation]
