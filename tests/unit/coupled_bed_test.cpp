@@ -2,13 +2,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "scree/app/coupling_columns.h"
 #include "scree/base/error.h"
 #include "support/coupled_cloud.h"
 
 namespace scree {
 namespace {
 
-std::string bed(int subcycles) {
+std::string bed(int subcycles, int count = 100, double inflow = 0.003) {
   return fmt::format(R"toml(
 [simulation]
 end = 0.4
@@ -35,7 +36,7 @@ friction = 0.3
 material = "glass"
 diameter = 0.001
 insert = "random"
-count = 100
+count = {}
 region_min = [0, 0, 0]
 region_max = [0.003, 0.018, 0.003]
 [[walls]]
@@ -51,14 +52,14 @@ cells = [1, 15, 1]
 [[fluid.patches]]
 face = "y_min"
 type = "inlet"
-velocity = ["0", "0.003", "0"]
+velocity = ["0", "{}", "0"]
 [[fluid.patches]]
 face = "y_max"
 type = "outlet"
 [coupling]
 subcycles = {}
 )toml",
-                     subcycles);
+                     count, inflow, subcycles);
 }
 
 double kinetic_energy(const Simulation& s) {
@@ -81,6 +82,13 @@ TEST(CoupledBed, ComesToRestUnderALiquidAtTheStepsChosenForIt) {
   EXPECT_LT(kinetic_energy(chosen), 1e-12);
   Simulation late(case_of(bed(40)), 1);
   EXPECT_THROW(while (late.clock().now() < 0.4) late.step(), PhysicsError);
+}
+
+// The plate carries a bead that has come to rest, so that the liquid has its own weight to carry, from the inlet to the outlet.
+TEST(CoupledBed, PressureDropIsThatOfTheWholeColumn) {
+  Simulation s(case_of(bed(0, 1, 0)), 1);
+  while (s.clock().now() < 0.4) s.step();
+  EXPECT_NEAR(pressure_drop(s.coupling()->fluid), 1000 * 9.81 * 0.03, 1e-3);
 }
 
 }  // namespace

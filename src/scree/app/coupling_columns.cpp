@@ -28,11 +28,11 @@ double pressure_drop(const FluidSolver& s) {
   double in = 0, in_area = 0, out = 0, out_area = 0;
   for (const BoundaryFace& f : s.boundary) {
     if (f.kind == PatchKind::inlet) {
-      in += f.area * (s.state.pressure[f.cell] - f.side * f.half * boundary_force(s, f));
+      in += f.area * boundary_pressure(s, f);
       in_area += f.area;
     }
     if (f.kind == PatchKind::outlet) {
-      out += f.area * f.pressure;
+      out += f.area * boundary_pressure(s, f);
       out_area += f.area;
     }
   }
