@@ -29,7 +29,7 @@ void expect_right(const Touching& t, double growth, const char* name) {
   // Both bodies, scaled by the growth distance, have the point: as sharply as the larger one is known.
   const Vec x = wide(found.point);
   ASSERT_LT(static_cast<double>(t.a.gauge(x) - growth), 2e-9) << name;
-  ASSERT_LT(static_cast<double>(t.b.gauge(turn_back(t.turn, x - branch)) - growth), 2e-9 * t.a.radius / t.b.radius)
+  ASSERT_LT(static_cast<double>(t.b.gauge(turn_back(t.turn, x - branch)) - growth), 2e-9 * t.larger_over_smaller())
       << name;
 }
 
@@ -56,7 +56,7 @@ TEST(Growth, NearTouching) {
   for (const Kind& k : kinds())
     for (int i = 0; i < 40; ++i) {
       const Touching t = any_touching(k.a, k.b, random);
-      const double near = std::pow(10, -11 + 8 * uniform_draw(random)) * (t.a.radius / t.b.radius);
+      const double near = std::pow(10, -11 + 8 * uniform_draw(random)) * t.larger_over_smaller();
       expect_right(t, 1 - near, k.name);
       expect_right(t, 1 + near, k.name);
     }

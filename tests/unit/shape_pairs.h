@@ -84,7 +84,7 @@ struct Body {
 
 /// Two bodies that just touch: A at the origin in its own frame.
 struct Touching {
-  Body a, b;  // a is not the smaller one
+  Body a, b;  // a is not the smaller one, or no sphere where b is one
   sc_mat turn;
   Vec normal, branch;
 
@@ -93,6 +93,7 @@ struct Touching {
     return sc_make_growth_pair(a.form.shape, a.radius, b.form.shape, b.radius, turn, narrow(growth * branch));
   }
   Real support(Vec n) const { return a.support(n) + b.support(turn_back(turn, n)); }
+  double larger_over_smaller() const { return std::max(a.radius, b.radius) / std::min(a.radius, b.radius); }
 };
 
 /// Touching along a normal in the frame of A.
@@ -175,7 +176,7 @@ inline Body capsule(double radius, double half, double size = 1) {
   return {make_form("capsule", {radius, radius, half}, 1, 1), size};
 }
 
-/// The thirteen pairs of shapes of the method study, the extremes, and capsules.
+/// The thirteen pairs of shapes of the method study, the extremes, pairs with a sphere, and capsules.
 inline std::vector<Kind> kinds() {
   std::vector<Kind> all;
   const auto same = [&](const char* name, const Body& a) { all.push_back({name, a, a}); };
@@ -203,6 +204,10 @@ inline std::vector<Kind> kinds() {
   all.push_back({"ellipsoid, small capsule", body({1, .7, .5}, 2, 2), capsule(1, 4, .2)});
   all.push_back({"capsule, pointed", capsule(1, 2), body({1, 1, 1}, 1.3, 1.3, .8)});
   all.push_back({"needle, small cube", body({20, 1, 1}, 2, 2), body({1, 1, 1}, 20, 20, .1)});
+  all.push_back({"box, sphere", body({1, .8, .6}, 8, 8), body({1, 1, 1}, 2, 2, .5)});
+  all.push_back({"needle 20, large sphere", body({20, 1, 1}, 5.3, 3.7), body({1, 1, 1}, 2, 2, 10)});
+  all.push_back({"e 1.9, sphere", body({1, 1, 1}, 2 / 1.9, 2 / 1.9), body({1, 1, 1}, 2, 2, .7)});
+  all.push_back({"capsule, sphere", capsule(1, 3), body({1, 1, 1}, 2, 2, .4)});
   return all;
 }
 

@@ -14,7 +14,7 @@ using GrowthLane = double[growth_lanes];
 
 /// Pairs of one kind (SC_GROWTH_22 ...) and their searches.
 struct alignas(64) GrowthBatch {
-  GrowthLane scale_a[3], scale_b[3], turn[9], branch[3], radius_b, rounding, limit;
+  GrowthLane scale_a[3], scale_b[3], turn[9], branch[3], radius_b, smaller, rounding, limit;
   GrowthLane exponent[4], inverse[4];  // of A in the plane, of A, of B in the plane, of B
   GrowthLane at[4], base[4], step[4], fraction, misfit, low, high, normal[3], weight, growth, verdict;
 };
@@ -36,6 +36,7 @@ template <int Kind>
   p.scale_b = lane_vec(b.scale_b, i);
   p.gauge_a =
       sc_growth_exponents(Kind, {{b.exponent[0][i], b.inverse[0][i], 0}, {b.exponent[1][i], b.inverse[1][i], 0}});
+  p.sphere_b = sc_growth_has_sphere(Kind);
   p.gauge_b =
       sc_growth_exponents(Kind, {{b.exponent[2][i], b.inverse[2][i], 0}, {b.exponent[3][i], b.inverse[3][i], 0}});
   p.shape_a = p.shape_b = SC_SHAPE_SUPERELLIPSOID;
@@ -44,6 +45,7 @@ template <int Kind>
   p.turn.z = lane_vec(b.turn + 6, i);
   p.branch = lane_vec(b.branch, i);
   p.radius_b = b.radius_b[i];
+  p.smaller = b.smaller[i];
   p.rounding = b.rounding[i];
   p.limit = b.limit[i];
   return p;
@@ -99,6 +101,7 @@ inline void set_lane(GrowthBatch& b, int i, const sc_growth_pair& p, const sc_gr
   keep_vec(b.turn + 6, i, p.turn.z);
   keep_vec(b.branch, i, p.branch);
   b.radius_b[i] = p.radius_b;
+  b.smaller[i] = p.smaller;
   b.rounding[i] = p.rounding;
   b.limit[i] = p.limit;
   set_exponents(b, i, p.gauge_a, p.gauge_b);
@@ -134,14 +137,21 @@ template <int Kind>
   }
 }
 
+/// With one of the kinds that have the same powers as those from SC_GROWTH_GENERAL on.
+template <int First>
+[[gnu::always_inline]] inline void run_powers(GrowthBatch& b, int powers) {
+  if (powers == SC_GROWTH_22) return run_kind<First + SC_GROWTH_22>(b);
+  if (powers == SC_GROWTH_44) return run_kind<First + SC_GROWTH_44>(b);
+  if (powers == SC_GROWTH_82) return run_kind<First + SC_GROWTH_82>(b);
+  if (powers == SC_GROWTH_88) return run_kind<First + SC_GROWTH_88>(b);
+  run_kind<First + SC_GROWTH_GENERAL>(b);
+}
+
 /// Searches with all pairs until each has a verdict or has had its looks. What is open then needs the portal:
 /// sc_growth_resolve, as one pair at a time does.
 [[maybe_unused]] inline void run_batch(GrowthBatch& b, int kind) {
-  if (kind == SC_GROWTH_22) return run_kind<SC_GROWTH_22>(b);
-  if (kind == SC_GROWTH_44) return run_kind<SC_GROWTH_44>(b);
-  if (kind == SC_GROWTH_82) return run_kind<SC_GROWTH_82>(b);
-  if (kind == SC_GROWTH_88) return run_kind<SC_GROWTH_88>(b);
-  run_kind<SC_GROWTH_GENERAL>(b);
+  if (sc_growth_has_sphere(kind)) return run_powers<SC_GROWTH_SPHERE>(b, kind - SC_GROWTH_SPHERE);
+  run_powers<SC_GROWTH_GENERAL>(b, kind);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace scree {
 namespace {
 
 /// Number of kinds of pairs that go side by side: SC_GROWTH_...
-constexpr int growth_kinds = 5;  // but SC_GROWTH_OTHER
+constexpr int growth_kinds = SC_GROWTH_OTHER;
 
 /// Candidates whose search has not run yet, by kind: those that begin, and those that go on.
 struct ShapeQueues {

@@ -31,8 +31,10 @@ struct alignas(64) ShapeLanes {
   rows_of({load8(from[0]), load8(from[1]), load8(from[2]), load8(from[3])}, row);
 }
 
-/// The larger of owner and partner, of equal ones that with the lower id: what sc_shapes_reversed() makes of them.
+/// Whether the solver takes the owner as its A: what sc_shapes_reversed() makes of owner and partner.
 inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j) {
+  const sc_form &of_i = v.shapes.forms[v.shapes.form[i]], &of_j = v.shapes.forms[v.shapes.form[j]];
+  if (sc_one_is_sphere(of_i, of_j)) return of_j.is_sphere;
   const double a = v.motion[8 * i + 3], b = v.motion[8 * j + 3];
   return a > b || (a == b && v.shapes.id[i] < v.shapes.id[j]);
 }
@@ -104,6 +106,7 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
   keep_vec(b.turn + 3, i, turn.y);
   keep_vec(b.turn + 6, i, turn.z);
   keep_vec(b.branch, i, branch);
+  b.smaller[i] = SC_MIN(s.radius_a[i], b.radius_b[i]);
   b.rounding[i] = sc_growth_rounding(scale_a, scale_b, branch);
   b.limit[i] = R(1);
   keep_search(b, i, sc_growth_search_from({lane_vec(s.start, i), s.start[3][i]}));

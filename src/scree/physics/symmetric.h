@@ -26,6 +26,14 @@ SC_FN sc_symmetric sc_add_dyad(sc_symmetric m, real f, sc_vec v) {
   return m;
 }
 
+/// m + f times the unit matrix
+SC_FN sc_symmetric sc_add_unit(sc_symmetric m, real f) {
+  m.xx = m.xx + f;
+  m.yy = m.yy + f;
+  m.zz = m.zz + f;
+  return m;
+}
+
 /// m v
 SC_FN sc_vec sc_symmetric_times(sc_symmetric m, sc_vec v) {
   return sc_make_vec(m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,

@@ -118,7 +118,7 @@ SC_FN sc_growth_touch sc_growth_resolve(sc_growth_pair p, int warm, sc_growth_se
 }
 
 /// Whether two bodies have the same centre, for which there is no search.
-SC_FN int sc_growth_is_concentric(sc_growth_pair p) { return !(sc_norm(p.branch) > R(1e-12) * p.radius_b); }
+SC_FN int sc_growth_is_concentric(sc_growth_pair p) { return !(sc_norm(p.branch) > R(1e-12) * p.smaller); }
 
 /// What the search for the normal has ended with.
 SC_FN sc_growth_touch sc_growth_touch_of_dual(sc_growth_pair p, const sc_dual* s, int verdict) {
@@ -158,7 +158,7 @@ SC_FN sc_growth_touch sc_growth_solve_dual(sc_growth_pair p, int warm, sc_growth
 SC_FN sc_growth_touch sc_growth_solve(sc_growth_pair p, int warm, sc_growth_point start) {
   if (sc_growth_is_concentric(p)) return sc_growth_concentric(p);
   if (sc_growth_is_dual(p.gauge_a, p.gauge_b)) return sc_growth_solve_dual(p, warm, start);
-  const int capsules = (p.shape_a == SC_SHAPE_CAPSULE) & (p.shape_b == SC_SHAPE_CAPSULE);
+  const int capsules = (p.shape_a == SC_SHAPE_CAPSULE) & ((p.shape_b == SC_SHAPE_CAPSULE) | p.sphere_b);
   const sc_growth_search first =
       capsules ? sc_growth_of_capsules(p) : sc_growth_run(p, warm ? start : sc_growth_cold(p));
   return sc_growth_resolve(p, warm & !capsules, first);

@@ -133,7 +133,7 @@ SC_FN int sc_dual_run(sc_dual* s, sc_growth_pair p) {
   const sc_vec u = sc_perpendicular(along), v = sc_cross(along, u);
   int verdict = SC_GROWTH_OPEN;
   for (int i = 0; i < SC_DUAL_STEPS; ++i) {
-    const sc_dual_way to = sc_dual_newton(s->column, p.radius_b, u, v);
+    const sc_dual_way to = sc_dual_newton(s->column, p.smaller, u, v);
     sc_dual_low(s);
     // Far from the minimum the point says little.
     if (-to.slope < R(1e-3) * s->column.height) sc_dual_high(s, p);

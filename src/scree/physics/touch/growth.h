@@ -12,6 +12,14 @@
 //
 //   h_A(n) + h_B(-n) <= W + R_B |r|,   W = (1 - t) gauge_A + t gauge_B.
 //
+// Where one body is a sphere, that is B, whichever is larger. Its gauge is a length, the Hessian of its phi 1/R_B^2,
+// and as h_B(n) = R_B |n|, the support value of both along n is exact:
+//
+//   h_A(n) + h_B(-n) = (1 - t) gauge_A + R_B |n|.
+//
+// That bound rises with the square of the residual, so that the width of the bracket no longer tells how exact the
+// normal is, and the residual is asked for as well.
+//
 // Steps that do not reduce the misfit of the equations are halved. Everything is written without branches, so that a
 // loop over pairs vectorises with the same bits.
 #ifndef SCREE_PHYSICS_TOUCH_GROWTH_H
@@ -20,14 +28,16 @@
 #include "scree/physics/shape/form.h"
 #include "scree/physics/symmetric.h"
 
-/// Two bodies in the frame of the first, which is not the smaller one.
+/// Two bodies in the frame of the first, which is no sphere if one is none, else not the smaller one.
 typedef struct {
   sc_vec scale_a, scale_b;  // inverse half axes [1/m]
   sc_exponents gauge_a, gauge_b;
   int shape_a, shape_b;  // SC_SHAPE_...
+  int sphere_b;          // B is a sphere
   sc_mat turn;           // from the frame of B to that of A
   sc_vec branch;         // from the centre of A to that of B [m]
   real radius_b;         // bounding radius of B [m]
+  real smaller;          // the smaller bounding radius [m]
   real rounding;         // what rounding may do to a gauge
   real limit;            // growth distance up to which it matters how they meet: 1, or more where bodies apart act
 } sc_growth_pair;
@@ -55,6 +65,7 @@ typedef struct {
 typedef struct {
   real low, high;        // proven bracket of the growth distance
   real misfit;           // square of what is left of the equations, dimensionless
+  real tilt;             // square of how far the normal may be off [rad2], where the bracket does not tell
   sc_growth_point step;  // the way to the next point
   sc_vec normal;         // (1 - t) g_A [1/m], towards B
   real weight;           // W: support value of both bodies in that direction, but for the residual
@@ -86,32 +97,61 @@ SC_FN sc_norm_value sc_growth_gauge_b(sc_growth_pair p, sc_vec x) {
   return b;
 }
 
+/// B at a point: its gauge, the gradient of phi, and Newton's matrix.
+typedef struct {
+  real value;
+  sc_vec slope;
+  sc_symmetric matrix;
+} sc_growth_side;
+
+/// Adds B with the weight t to the Hessian of A with that of A. A little of the unit matrix keeps it definite where
+/// neither body is curved.
+SC_FN sc_growth_side sc_growth_side_of_shape(sc_growth_pair p, sc_vec x, real t, sc_symmetric of_a) {
+  const sc_norm_value b = sc_growth_gauge_b(p, x);
+  sc_growth_side out;
+  out.value = b.value;
+  out.slope = sc_scale(b.value, b.gradient);
+  const sc_symmetric m = sc_add_hessian(of_a, t, b);
+  out.matrix = sc_add_unit(m, R(1e-8) * (m.xx + m.yy + m.zz));
+  return out;
+}
+
+SC_FN sc_growth_side sc_growth_side_of_sphere(sc_growth_pair p, sc_vec x, real t, sc_symmetric of_a) {
+  const sc_vec from = sc_sub(x, p.branch);
+  const real inverse = p.scale_b.x * p.scale_b.x;
+  sc_growth_side out;
+  out.value = p.scale_b.x * SC_SQRT(sc_dot(from, from));
+  out.slope = sc_scale(inverse, from);
+  out.matrix = sc_add_unit(of_a, t * inverse);
+  return out;
+}
+
 /// One evaluation of both bodies at a point.
 SC_FN sc_growth_look sc_grow(sc_growth_pair p, sc_growth_point at) {
   const sc_norm_value a = sc_growth_gauge_a(p, at.point);
-  const sc_norm_value b = sc_growth_gauge_b(p, at.point);
   const real t = at.share, s = R(1) - t;
+  const sc_symmetric of_a = sc_add_hessian(sc_zero_symmetric(), s, a);
+  const sc_growth_side b =
+      p.sphere_b ? sc_growth_side_of_sphere(p, at.point, t, of_a) : sc_growth_side_of_shape(p, at.point, t, of_a);
   sc_growth_look out;
-  const sc_vec ga = sc_scale(a.value, a.gradient), gb = sc_scale(b.value, b.gradient);
+  const sc_vec ga = sc_scale(a.value, a.gradient), gb = b.slope;
   const sc_vec rest = sc_add(sc_scale(s, ga), sc_scale(t, gb));
   const sc_vec apart = sc_sub(ga, gb);
   const real uneven = R(0.5) * (a.value - b.value) * (a.value + b.value);
   // The bracket.
   out.normal = sc_scale(s, ga);
-  out.weight = s * a.value + t * b.value;
-  const real rest_square = sc_dot(rest, rest);
-  out.low = sc_dot(out.normal, p.branch) / (out.weight + p.radius_b * SC_SQRT(rest_square));
+  const real normal_square = sc_dot(out.normal, out.normal), rest_square = sc_dot(rest, rest);
+  const real of_b = p.sphere_b ? p.radius_b * SC_SQRT(normal_square) : t * b.value;
+  const real slack = p.sphere_b ? R(0) : p.radius_b * SC_SQRT(rest_square);
+  out.weight = s * a.value + of_b;
+  out.low = sc_dot(out.normal, p.branch) / (out.weight + slack);
   out.high = SC_MAX(a.value, b.value);
   out.growth = SC_SQRT(s * (a.value * a.value) + t * (b.value * b.value));
-  out.misfit = rest_square / sc_dot(out.normal, out.normal) + uneven * uneven / (out.growth * out.growth);
+  const real tilt = rest_square / normal_square;
+  out.tilt = p.sphere_b ? tilt : R(0);
+  out.misfit = tilt + uneven * uneven / (out.growth * out.growth);
   // The step.
-  sc_symmetric m = sc_add_hessian(sc_zero_symmetric(), s, a);
-  m = sc_add_hessian(m, t, b);
-  const real lift = R(1e-8) * (m.xx + m.yy + m.zz);
-  m.xx = m.xx + lift;
-  m.yy = m.yy + lift;
-  m.zz = m.zz + lift;
-  const sc_factors f = sc_factorise(m);
+  const sc_factors f = sc_factorise(b.matrix);
   const sc_vec down = sc_solve(f, rest), across = sc_solve(f, apart);
   const real dt = (sc_dot(apart, down) - uneven) / sc_dot(apart, across);
   // The weight stays between 0 and 1, and the point on the same side of things.
@@ -128,22 +168,28 @@ SC_FN real sc_growth_rounding(sc_vec scale_a, sc_vec scale_b, sc_vec branch) {
 }
 
 /// Pairs whose powers are products throughout, so that a loop over such pairs vectorises: both bodies have the same
-/// exponents, (n1, n2) = (2, 2), (4, 4), (8, 2) or (8, 8). All others are of the general kind, and those with a body
-/// that is no superellipsoid of their own.
+/// exponents, (n1, n2) = (2, 2), (4, 4), (8, 2) or (8, 8). All others are of the general kind. Where one body is a
+/// sphere, it is the kind of the other with SC_GROWTH_SPHERE added. Those with a body that is no superellipsoid are of
+/// their own.
 enum {
   SC_GROWTH_GENERAL = 0,
   SC_GROWTH_22 = 1,
   SC_GROWTH_44 = 2,
   SC_GROWTH_82 = 3,
   SC_GROWTH_88 = 4,
-  SC_GROWTH_OTHER = 5
+  SC_GROWTH_SPHERE = 5,
+  SC_GROWTH_OTHER = 10
 };
 
-SC_FN int sc_growth_kind(sc_form first, sc_form second) {
-  if (first.shape != SC_SHAPE_SUPERELLIPSOID || second.shape != SC_SHAPE_SUPERELLIPSOID) return SC_GROWTH_OTHER;
-  const sc_exponents a = first.gauge, b = second.gauge;
-  const int in = a.inner.power, out = a.outer.power;
-  if (in != b.inner.power || out != b.outer.power) return SC_GROWTH_GENERAL;
+/// Whether pairs of a kind are of a sphere with something else.
+SC_FN int sc_growth_has_sphere(int kind) { return (kind >= SC_GROWTH_SPHERE) & (kind < SC_GROWTH_OTHER); }
+
+/// Whether one body is a sphere and the other none.
+SC_FN int sc_one_is_sphere(sc_form first, sc_form second) { return first.is_sphere != second.is_sphere; }
+
+/// The kind of two bodies with the same exponents.
+SC_FN int sc_growth_kind_of_powers(sc_exponents e) {
+  const int in = e.inner.power, out = e.outer.power;
   if (out == 2 && in == 2) return SC_GROWTH_22;
   if (out == 4 && in == 4) return SC_GROWTH_44;
   if (out == 8 && in == 2) return SC_GROWTH_82;
@@ -151,8 +197,17 @@ SC_FN int sc_growth_kind(sc_form first, sc_form second) {
   return SC_GROWTH_GENERAL;
 }
 
-/// The exponents as a pair of that kind takes them.
-SC_FN sc_exponents sc_growth_exponents(int kind, sc_exponents e) {
+SC_FN int sc_growth_kind(sc_form first, sc_form second) {
+  if (first.shape != SC_SHAPE_SUPERELLIPSOID || second.shape != SC_SHAPE_SUPERELLIPSOID) return SC_GROWTH_OTHER;
+  const sc_exponents a = first.gauge, b = second.gauge;
+  if (sc_one_is_sphere(first, second)) return SC_GROWTH_SPHERE + sc_growth_kind_of_powers(first.is_sphere ? b : a);
+  const int same = (a.inner.power == b.inner.power) & (a.outer.power == b.outer.power);
+  return same ? sc_growth_kind_of_powers(a) : SC_GROWTH_GENERAL;
+}
+
+/// The exponents as a pair of that kind takes them, of the body that is no sphere if one is none.
+SC_FN sc_exponents sc_growth_exponents(int of, sc_exponents e) {
+  const int kind = sc_growth_has_sphere(of) ? of - SC_GROWTH_SPHERE : of;
   e.inner.power = e.outer.power = 0;
   if (kind == SC_GROWTH_22) e.inner.power = e.outer.power = 2;
   if (kind == SC_GROWTH_44) e.inner.power = e.outer.power = 4;
@@ -162,43 +217,53 @@ SC_FN sc_exponents sc_growth_exponents(int kind, sc_exponents e) {
   return e;
 }
 
-/// The pair of two forms with their bounding radii, that of A not below that of B.
+/// The pair of two forms with their bounding radii. A is no sphere if one is none, else the radius of A not below that
+/// of B. A sphere is the same however it is turned.
 SC_FN sc_growth_pair sc_make_growth_pair(sc_form a, real radius_a, sc_form b, real radius_b, sc_mat turn,
                                          sc_vec branch) {
   sc_growth_pair p;
   p.scale_a = sc_scale(R(1) / radius_a, a.inverse_axes);
   p.scale_b = sc_scale(R(1) / radius_b, b.inverse_axes);
   const int kind = sc_growth_kind(a, b);
+  p.sphere_b = sc_one_is_sphere(a, b) & b.is_sphere;
   p.gauge_a = sc_growth_exponents(kind, a.gauge);
-  p.gauge_b = sc_growth_exponents(kind, b.gauge);
+  p.gauge_b = sc_growth_exponents(p.sphere_b ? SC_GROWTH_22 : kind, b.gauge);
   p.shape_a = a.shape;
   p.shape_b = b.shape;
-  p.turn = turn;
+  p.turn = p.sphere_b ? sc_unit_mat() : turn;
   p.branch = branch;
   p.radius_b = radius_b;
+  p.smaller = SC_MIN(radius_a, radius_b);
   p.rounding = sc_growth_rounding(p.scale_a, p.scale_b, branch);
   p.limit = R(1);
   return p;
 }
 
-/// What a bracket says: whether anything, and SC_GROWTH_..., as a real, because loops that mix those with integers do
-/// not vectorise.
+/// What a bracket says (`tilt`: square of how far the normal may be off besides): whether anything, and SC_GROWTH_...,
+/// as a real, because loops that mix those with integers do not vectorise.
 typedef struct {
   int decided;
   real verdict;
 } sc_growth_judgement;
 
-SC_FN sc_growth_judgement sc_growth_judge(real low, real high, real limit, real rounding) {
+SC_FN sc_growth_judgement sc_growth_judge_tilted(real low, real high, real tilt, real limit, real rounding) {
   const real width = high - low;
   const int apart = low > limit + rounding;
-  const int grazing = width < SC_GROWTH_GRAZE;
-  const int touching = (high < limit - rounding) & ((width < SC_GROWTH_WIDTH * high) | grazing);
+  const int below = high < limit - rounding;
+  const int exact = tilt < SC_GROWTH_WIDTH * SC_GROWTH_WIDTH;
+  const int narrow = width < SC_GROWTH_GRAZE;
+  const int grazing = narrow & (exact | !below);
+  const int touching = below & exact & ((width < SC_GROWTH_WIDTH * high) | narrow);
   sc_growth_judgement out;
   out.decided = apart | touching | grazing;
   out.verdict = grazing ? R(SC_GROWTH_GRAZING) : R(SC_GROWTH_OPEN);
   out.verdict = touching ? R(SC_GROWTH_TOUCHING) : out.verdict;
   out.verdict = apart ? R(SC_GROWTH_APART) : out.verdict;
   return out;
+}
+
+SC_FN sc_growth_judgement sc_growth_judge(real low, real high, real limit, real rounding) {
+  return sc_growth_judge_tilted(low, high, R(0), limit, rounding);
 }
 
 /// Newton's method on its way.
@@ -236,13 +301,13 @@ SC_FN sc_growth_search sc_growth_advance(sc_growth_pair p, sc_growth_search s) {
   const sc_growth_look look = sc_grow(p, s.at);
   const int open = s.verdict == R(SC_GROWTH_OPEN);
   const real low = SC_MAX(s.low, look.low), high = SC_MIN(s.high, look.high);
-  const sc_growth_judgement judgement = sc_growth_judge(low, high, p.limit, p.rounding);
+  const sc_growth_judgement judgement = sc_growth_judge_tilted(low, high, look.tilt, p.limit, p.rounding);
   // The point that the verdict was found at is kept.
   const int moves = open & !judgement.decided;
   const int good = moves & ((look.misfit < (R(1) - R(1e-4) * s.fraction) * s.misfit) | (s.fraction < R(1e-3)));
   // A step may not be longer than a quarter of the smaller body.
   const real length = SC_SQRT(sc_dot(look.step.point, look.step.point));
-  const real longest = R(0.25) * p.radius_b;
+  const real longest = R(0.25) * p.smaller;
   const real whole = length > longest ? longest / length : R(1);
   sc_growth_search out;
   out.base.point = sc_choose_vec(good, s.at.point, s.base.point);

@@ -71,10 +71,7 @@ SC_FN void sc_portal_bound(sc_portal* s, sc_growth_pair p, sc_vec n, sc_portal_c
   sc_symmetric m = c.hessian;
   const real trace = m.xx + m.yy + m.zz;
   m = sc_add_dyad(m, trace / sc_dot(p.branch, p.branch), p.branch);
-  const real lift = R(1e-12) * trace;
-  m.xx = m.xx + lift;
-  m.yy = m.yy + lift;
-  m.zz = m.zz + lift;
+  m = sc_add_unit(m, R(1e-12) * trace);
   const sc_vec down = sc_solve(sc_factorise(m), c.difference);
   sc_vec step = sc_add_scaled(sc_scale(sc_dot(p.branch, down) / along, n), R(-1), down);
   const real length = SC_SQRT(sc_dot(step, step) / size);

@@ -23,8 +23,11 @@ typedef struct {
   sc_growth_point start;  // for the next solve: in the frame of the body that the solver takes as A
 } sc_shape_touch;
 
-/// Whether the solver takes the second body as its A: that is the one that is not smaller, of equal ones the first.
-SC_FN int sc_shapes_reversed(sc_body_shape first, sc_body_shape second) { return second.radius > first.radius; }
+/// Whether the solver takes the second body as its A: that is the one that is no sphere, else the one that is not
+/// smaller, of equal ones the first.
+SC_FN int sc_shapes_reversed(sc_body_shape first, sc_body_shape second) {
+  return sc_one_is_sphere(first.form, second.form) ? first.form.is_sphere : second.radius > first.radius;
+}
 
 /// The pair as the solver wants it. `first` is the body with the lower id, so that exchanging the bodies changes no
 /// bits; `branch` goes from its centre to that of the second [m].
