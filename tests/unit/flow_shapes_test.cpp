@@ -7,6 +7,7 @@
 #include <random>
 
 #include "scree/data/form_surface.h"
+#include "scree/data/forms.h"
 #include "scree/physics/drag/body/ellipsoid_in_flow.h"
 
 namespace scree {
@@ -124,6 +125,72 @@ TEST(FlowShape, MeanShadowAcross) {
           << e1 << ' ' << e2;
     }
   }
+}
+
+/// How much of a square of half side `side` around the centre is covered along n: lines along n through the middles of
+/// small squares, and the least gauge along each by golden section.
+double covered(const sc_form& form, const sc_vec& n, double side) {
+  const sc_vec u = sc_perpendicular(n), v = sc_cross(n, u);
+  constexpr int parts = 120;
+  const double golden = (std::sqrt(5.) - 1) / 2;
+  int hits = 0;
+  for (int i = 0; i < parts; ++i)
+    for (int j = 0; j < parts; ++j) {
+      const double x = side * (2 * (i + .5) / parts - 1), y = side * (2 * (j + .5) / parts - 1);
+      const sc_vec from = sc_add_scaled(sc_scale(x, u), y, v);
+      const auto gauge = [&](double t) { return sc_gauge(form, 1, sc_add_scaled(from, t, n)).value; };
+      double low = -1, high = 1;
+      for (int k = 0; k < 30; ++k) {
+        const double a = high - golden * (high - low), b = low + golden * (high - low);
+        (gauge(a) < gauge(b) ? high : low) = gauge(a) < gauge(b) ? b : a;
+      }
+      hits += gauge(0.5 * (low + high)) < 1;
+    }
+  return 4 * side * side * hits / (parts * parts);
+}
+
+TEST(FlowShape, ShadowsOfCapsulesByBruteForce) {
+  std::mt19937_64 random(7);
+  for (const double half : {1.0, 1.5, 4.0}) {
+    const Form form = make_form("capsule", {1, 1, half}, 1, 1);
+    const FlowShape f = make_flow_shapes({sphere_form(), form})[1];
+    EXPECT_TRUE(f.shadow.empty());
+    const double r = form.shape.axes.x, circle = M_PI * std::pow(form.equivalent_radius, 2);
+    const double surface = 4 * M_PI * r;  // a cylinder of length 2 (1 - r), and a sphere
+    EXPECT_NEAR(f.shape.sphericity, 4 * circle / surface, 1e-14);
+    EXPECT_NEAR(f.shape.shadow.z * circle, M_PI * r * r, 1e-14);
+    EXPECT_NEAR(f.shape.shadow.x * circle, M_PI * r * r + 4 * r * (1 - r), 1e-14);
+    for (int i = 0; i < 4; ++i) {
+      const sc_vec n = i ? any_direction(random) : sc_make_vec(0, 0, 1);
+      EXPECT_NEAR(sc_shadow_ratio(f.shape, nullptr, n) * circle, covered(form.shape, n, 1), 4e-3) << half;
+      // Directions across n, seen from the middles of small angles.
+      const sc_vec u = sc_perpendicular(n), v = sc_cross(n, u);
+      double mean = 0;
+      constexpr int parts = 2000;
+      for (int k = 0; k < parts; ++k) {
+        const double psi = M_PI * (k + .5) / parts;
+        const sc_vec m = sc_add_scaled(sc_scale(std::cos(psi), u), std::sin(psi), v);
+        mean += (M_PI * r * r + 4 * r * (1 - r) * std::hypot(m.x, m.y)) / (circle * parts);
+      }
+      EXPECT_NEAR(sc_mean_shadow_across(f.shape, nullptr, n) / mean, 1, 1e-6) << half;
+    }
+    // All around, a quarter of the surface (Cauchy 1832): of a body of revolution over bands of equal area.
+    double around = 0;
+    constexpr int bands = 20000;
+    for (int i = 0; i < bands; ++i) {
+      const double z = (i + .5) / bands;
+      around += sc_shadow_ratio(f.shape, nullptr, sc_make_vec(std::sqrt(1 - z * z), 0, z)) * circle / bands;
+    }
+    EXPECT_NEAR(around / (.25 * surface), 1, 1e-6) << half;
+  }
+}
+
+// Across a direction in the plane of the flat side the ellipse is a line, there and back: 4 half axes over 2 pi.
+TEST(FlowShape, MeanAcrossOfAFlatEllipse) {
+  const sc_vec flat = sc_make_vec(1, 1, 0);
+  EXPECT_NEAR(sc_mean_across(flat, sc_make_vec(0, 0, 1)), 1, 1e-15);
+  EXPECT_NEAR(sc_mean_across(flat, sc_make_vec(1, 0, 0)), 2 / M_PI, 1e-14);
+  EXPECT_NEAR(sc_mean_across(flat, sc_make_vec(.6, .8, 0)), 2 / M_PI, 1e-14);
 }
 
 TEST(FlowShape, FormsWithEqualExponentsShareTheWork) {

@@ -104,6 +104,32 @@ TEST(GrowthLong, NoWrongVerdictInAMillionPairsOfAnyShapes) {
   EXPECT_EQ(uneven, 0);
 }
 
+// Capsules of any lengths to 20 and sizes to 1 : 10, side by side and across too.
+TEST(GrowthLong, NoWrongVerdictInAHundredThousandPairsOfCapsules) {
+  constexpr int rounds = 100, per_round = 1000;
+  std::int64_t wrong = 0, outside = 0, uneven = 0;
+#pragma omp parallel for schedule(dynamic) reduction(+ : wrong, outside, uneven)
+  for (int round = 0; round < rounds; ++round) {
+    std::mt19937_64 random(9000 + round);
+    for (int i = 0; i < per_round; ++i) {
+      const auto half = [&] { return std::pow(20, uniform_draw(random)); };
+      const Body a = capsule(1, half()), b = capsule(1, half(), std::pow(0.1, uniform_draw(random)));
+      const double growth = any_growth(i, random);
+      const Touching t = i % 3 ? any_touching(a, b, random) : touching_at_features(a, b, random);
+      const sc_growth_pair pair = t.at(growth);
+      const sc_growth_touch found = sc_growth_solve(pair, 0, sc_growth_point{});
+      wrong += found.verdict != (growth < 1 ? SC_GROWTH_TOUCHING : SC_GROWTH_APART);
+      // Bodies that are nearer than that have the same centre to the search.
+      const bool concentric = growth < 1e-11;
+      outside += !concentric && (found.low > growth + pair.rounding || found.high < growth - pair.rounding);
+      uneven += !same_from_either_side(t, growth);
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(outside, 0);
+  EXPECT_EQ(uneven, 0);
+}
+
 // Pairs at any branch, whose growth distance no construction tells: near touching, by a search that has nothing in
 // common with the solver but the shapes.
 TEST(GrowthLong, AsASlowSearchFindsNearTouching) {

@@ -86,6 +86,19 @@ void put_ellipsoid(const Axes& half_axes, sc_flow_shape& s) {
   s.added_mass = sc_added_mass_of_ellipsoid(h, integrals);
 }
 
+/// Of a shape that is no superellipsoid: the shadows are exact.
+FlowShape make_other(const Form& form) {
+  FlowShape out;
+  sc_flow_shape& s = out.shape;
+  s.sphericity = sphericity(form);
+  put_ellipsoid(form.half_axes(), s);
+  s.axes = sc_scale(1 / form.equivalent_radius, form.shape.axes);
+  s.shape = form.shape.shape;
+  const auto along = [&](double x, double y, double z) { return sc_shadow_ratio(s, nullptr, sc_make_vec(x, y, z)); };
+  s.shadow = sc_make_vec(along(1, 0, 0), along(0, 1, 0), along(0, 0, 1));
+  return out;
+}
+
 FlowShape make_shape(const Axes& h, double e1, double e2, const ShadowFit* fit) {
   FlowShape out;
   sc_flow_shape& s = out.shape;
@@ -101,7 +114,7 @@ FlowShape make_shape(const Axes& h, double e1, double e2, const ShadowFit* fit) 
   if (!fit) return out;
   out.shadow = fit->table;
   out.mean = octant_table([&](const sc_vec& d) {
-    return mean_across(s, out.shadow, d) / sc_mean_shadow_of_ellipsoid(s.shadow, sc_scale(1 / sc_norm(d), d));
+    return mean_across(s, out.shadow, d) / sc_mean_across(s.shadow, sc_scale(1 / sc_norm(d), d));
   });
   return out;
 }
@@ -118,6 +131,10 @@ std::vector<FlowShape> make_flow_shapes(const Forms& forms) {
   std::map<std::pair<double, double>, ShadowFit> fits;
   std::vector<FlowShape> out;
   for (const Form& form : forms) {
+    if (form.other()) {
+      out.push_back(make_other(form));
+      continue;
+    }
     const auto [e1, e2] = form.exponents;
     const ShadowFit* fit = nullptr;
     if (e1 != 1 || e2 != 1) {

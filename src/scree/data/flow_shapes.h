@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// A form in a flow. The tables are empty where the shape is an ellipsoid.
+/// A form in a flow. The tables are empty where the shape is an ellipsoid or no superellipsoid.
 struct FlowShape {
   sc_flow_shape shape{};
   std::vector<double>
@@ -22,7 +22,9 @@ struct FlowShape {
 /// volume.
 FlowShape make_flow_shape(const Axes& half_axes, double e1, double e2);
 
-/// The shapes of all forms; those with equal exponents share the work.
+/// The shapes of all forms; those with equal exponents share the work. The shadows of shapes that are no
+/// superellipsoids are exact; their resistances and added masses are those of the ellipsoid with their proportions and
+/// volume.
 std::vector<FlowShape> make_flow_shapes(const Forms& forms);
 
 }  // namespace scree

@@ -11,6 +11,7 @@
 #ifndef SCREE_PHYSICS_SHAPE_CAPSULE_H
 #define SCREE_PHYSICS_SHAPE_CAPSULE_H
 
+#include "scree/physics/shape/mean_across.h"
 #include "scree/physics/shape/norm_value.h"
 
 /// A direction whose component along the axis is a smaller part of it is that of the whole side, which is flat along
@@ -112,6 +113,14 @@ SC_FN sc_vec sc_capsule_inertia(sc_vec axes) {
 
 /// Surface area.
 SC_FN real sc_capsule_surface(sc_vec axes) { return R(12.566370614359172954) * (axes.x * axes.z); }
+
+/// Area of the shadow along the unit vector n, or the mean of the shadows along all directions across n: a circle, and
+/// a rectangle as long as the segment seems from there.
+SC_FN real sc_capsule_shadow(sc_vec axes, sc_vec n, int across) {
+  const real r = axes.x, l = axes.z - r;
+  const real seen = across ? sc_mean_across(sc_make_vec(R(1), R(1), R(0)), n) : SC_SQRT(n.x * n.x + n.y * n.y);
+  return R(3.141592653589793238) * (r * r) + R(4) * (r * l) * seen;
+}
 
 /// The closest point to one outside.
 SC_FN sc_vec sc_capsule_closest(sc_vec axes, sc_vec from) {

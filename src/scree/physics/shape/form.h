@@ -85,6 +85,16 @@ static inline sc_vec sc_other_closest(int shape, sc_vec axes, sc_vec from) {
   return from;
 }
 
+/// Area of the shadow of another shape with the half axes along the unit vector n, or the mean of the shadows along all
+/// directions across n.
+static inline real sc_other_shadow(int shape, sc_vec axes, sc_vec n, int across) {
+#define SC_CASE(constant, name, rule) \
+  if (shape == SC_SHAPE_##constant) return sc_##name##_shadow(axes, n, across);
+  SC_OTHER_SHAPES(SC_CASE)
+#undef SC_CASE
+  return R(0);
+}
+
 /// Gauge of a shape with the inverse half axes `scale`; `e`: exponents, if it is a superellipsoid.
 SC_FN sc_norm_value sc_gauge_of(int shape, sc_vec scale, sc_exponents e, sc_vec x) {
   if (shape != SC_SHAPE_SUPERELLIPSOID) return sc_other_gauge(shape, scale, x);

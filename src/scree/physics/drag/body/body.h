@@ -30,7 +30,7 @@ typedef struct {
   real diameter;                 // of the sphere of equal volume [m]
   real voidage;                  // of what is around
   real density, viscosity;       // of the fluid [kg/m3], [Pa s]
-  const SC_GLOBAL real* shadow;  // tables of the shape (flow_shape.h); not read for ellipsoids
+  const SC_GLOBAL real* shadow;  // tables of the shape (flow_shape.h), where it has some
   const SC_GLOBAL real* mean;
 } sc_body_stream;
 
