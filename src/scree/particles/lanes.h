@@ -5,7 +5,7 @@
 #pragma once
 
 #include <cstdint>
-#ifdef __AVX512DQ__
+#ifdef __SSE2__
 #include <immintrin.h>
 #endif
 
@@ -81,6 +81,25 @@ struct Columns {
 #else
   unsigned bits = 0;
   for (int l = 0; l < 8; ++l) bits |= static_cast<unsigned>(m[l] & 1) << l;
+  return bits;
+#endif
+}
+
+/// One bit for each of eight numbers that is not negative. Loops over eight numbers that end in such signs vectorise as
+/// wide as registers are; comparisons of eight lanes are taken apart into single ones where registers hold four.
+[[gnu::always_inline]] inline unsigned not_negative(const double* p) {
+#ifdef __AVX512DQ__
+  return 0xffu & ~static_cast<unsigned>(_mm512_movepi64_mask(_mm512_loadu_si512(p)));
+#elif defined(__AVX__)
+  const int low = _mm256_movemask_pd(_mm256_loadu_pd(p)), high = _mm256_movemask_pd(_mm256_loadu_pd(p + 4));
+  return 0xffu & ~static_cast<unsigned>(low | high << 4);
+#elif defined(__SSE2__)
+  unsigned negative = 0;
+  for (int l = 0; l < 8; l += 2) negative |= static_cast<unsigned>(_mm_movemask_pd(_mm_loadu_pd(p + l))) << l;
+  return 0xffu & ~negative;
+#else
+  unsigned bits = 0;
+  for (int l = 0; l < 8; ++l) bits |= static_cast<unsigned>(!__builtin_signbit(p[l])) << l;
   return bits;
 #endif
 }

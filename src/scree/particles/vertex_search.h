@@ -17,38 +17,40 @@ namespace {
 
 /// The vertices found, in the frame of their body at bounding radius 1: sums of places and normals in eight lanes, and
 /// which they are.
-struct VertexHits {
-  lane8 sum[6] = {};
+struct alignas(64) VertexHits {
+  double sum[6][8] = {};
   int count = 0, blocks = 0;
   std::int16_t block[most_vertex_blocks];
   std::uint8_t lanes[most_vertex_blocks];
 };
 
-/// The lanes of which a bit is set: the inverse of bits_of().
-[[gnu::always_inline]] inline mask8 mask_of(unsigned bits) {
-  const mask8 one = {1, 2, 4, 8, 16, 32, 64, 128};
-  return (one & static_cast<std::int64_t>(bits)) != 0;
-}
+/// Eight numbers of which the sign says something: those not negative count.
+struct alignas(64) VertexSigns {
+  double at[8];
+};
 
-inline void note_block(const VertexView& of, int block, mask8 found, VertexHits& hits) {
-  unsigned lanes = bits_of(found);
-  if (block == of.blocks - 1) lanes &= of.last;
+/// Notes the vertices of a block that count.
+[[gnu::always_inline]] inline void note_block(const VertexView& of, int block, VertexSigns& counts, VertexHits& hits) {
+  if (block == of.blocks - 1)
+    for (int l = 0; l < 8; ++l)
+      if (!(of.last >> l & 1)) counts.at[l] = -1;
+  const unsigned lanes = not_negative(counts.at);
   if (lanes == 0) return;
-  const mask8 counts = mask_of(lanes);
   const double* p = of.points + std::int64_t{48} * block;
-  for (int k = 0; k < 6; ++k) hits.sum[k] += (lane8)((mask8)load8(p + 8 * k) & counts);
+  for (int k = 0; k < 6; ++k) {
+#pragma omp simd
+    for (int l = 0; l < 8; ++l) hits.sum[k][l] += counts.at[l] < 0 ? 0 : p[8 * k + l];
+  }
   hits.count += __builtin_popcount(lanes);
   hits.block[hits.blocks] = static_cast<std::int16_t>(block);
   hits.lanes[hits.blocks] = static_cast<std::uint8_t>(lanes);
   ++hits.blocks;
 }
 
-[[gnu::always_inline]] inline lane8 size_of(lane8 x) { return x < 0 ? -x : x; }
-
-/// A body at bounding radius 1 as another one sees it, over the half axes of that: rows of the map, its centre, and how
-/// much of each half axis its radius is.
+/// A body at bounding radius 1 as another one sees it, over the half axes of that: rows of the map, its centre, how
+/// much of each half axis its radius is, and how much of its radius each half axis.
 struct VertexMap {
-  double row[3][3], centre[3], spread[3];
+  double row[3][3], centre[3], spread[3], size[3];
 };
 
 inline VertexMap map_into(const sc_body_shape& of, const sc_body_shape& in, const sc_vec& branch) {
@@ -66,25 +68,38 @@ inline VertexMap map_into(const sc_body_shape& of, const sc_body_shape& in, cons
     m.row[k][2] = scale * rows[k].z;
     m.centre[k] = unit * inverse[k] * place[k];
     m.spread[k] = scale;
+    m.size[k] = 1 / scale;
   }
   return m;
 }
 
-[[gnu::always_inline]] inline lane8 mapped(const VertexMap& m, int k, lane8 x, lane8 y, lane8 z) {
+[[gnu::always_inline]] inline double mapped(const VertexMap& m, int k, double x, double y, double z) {
   return ((m.row[k][0] * x + m.row[k][1] * y) + m.row[k][2] * z) + m.centre[k];
 }
 
-/// Eight vertices of a block in the frame of the other body, over its half axes.
-struct MappedBlock {
-  lane8 x, y, z;
-  mask8 in_box;
+/// By how much a point in the frame of the other body, over its half axes, is within its box; negative outside.
+[[gnu::always_inline]] inline double room_in_box(double x, double y, double z) {
+  return 1 - SC_MAX(SC_MAX(SC_FABS(x), SC_FABS(y)), SC_FABS(z));
+}
+
+/// Eight vertices of a block in the frame of the other body, over its half axes; those outside its box in its centre.
+struct alignas(64) MappedBlock {
+  double at[3][8];
+  VertexSigns room;
 };
 
-[[gnu::always_inline]] inline MappedBlock mapped_block(const VertexView& of, int block, const VertexMap& m) {
+[[gnu::always_inline]] inline void map_block(const VertexView& of, int block, const VertexMap& m, MappedBlock& out) {
   const double* p = of.points + std::int64_t{48} * block;
-  const lane8 px = load8(p), py = load8(p + 8), pz = load8(p + 16);
-  const lane8 x = mapped(m, 0, px, py, pz), y = mapped(m, 1, px, py, pz), z = mapped(m, 2, px, py, pz);
-  return {x, y, z, (size_of(x) <= 1) & (size_of(y) <= 1) & (size_of(z) <= 1)};
+#pragma omp simd
+  for (int l = 0; l < 8; ++l) {
+    const double px = p[l], py = p[8 + l], pz = p[16 + l];
+    const double x = mapped(m, 0, px, py, pz), y = mapped(m, 1, px, py, pz), z = mapped(m, 2, px, py, pz);
+    const double room = room_in_box(x, y, z);
+    out.room.at[l] = room;
+    out.at[0][l] = room < 0 ? 0 : x;
+    out.at[1][l] = room < 0 ? 0 : y;
+    out.at[2][l] = room < 0 ? 0 : z;
+  }
 }
 
 /// What stands for the inside-outside function where a body is no superellipsoid, at a point over the half axes.
@@ -93,31 +108,31 @@ inline double square_of_gauge(const sc_form& form, const sc_vec& x) {
   return gauge * gauge;
 }
 
-/// The inside-outside function at those in the box.
+/// The inside-outside function at eight points.
 template <int Kind>
-[[gnu::always_inline]] inline lane8 values_in_box(const MappedBlock& b, const sc_form& in) {
-  alignas(64) double at[3][8], value[8];
-  const lane8 none{};
-  store8(at[0], b.in_box ? b.x : none);
-  store8(at[1], b.in_box ? b.y : none);
-  store8(at[2], b.in_box ? b.z : none);
+[[gnu::always_inline]] inline void values_at(const MappedBlock& b, const sc_form& in, double* value) {
   if constexpr (Kind == SC_GROWTH_OTHER) {
-    for (int l = 0; l < 8; ++l) value[l] = square_of_gauge(in, sc_make_vec(at[0][l], at[1][l], at[2][l]));
+    for (int l = 0; l < 8; ++l) value[l] = square_of_gauge(in, sc_make_vec(b.at[0][l], b.at[1][l], b.at[2][l]));
   } else {
 #pragma omp simd
     for (int l = 0; l < 8; ++l)
-      value[l] = sc_inside_outside(sc_growth_exponents(Kind, in.gauge), sc_make_vec(at[0][l], at[1][l], at[2][l]));
+      value[l] =
+          sc_inside_outside(sc_growth_exponents(Kind, in.gauge), sc_make_vec(b.at[0][l], b.at[1][l], b.at[2][l]));
   }
-  return load8(value);
 }
 
 /// Eight vertices against the inside-outside function.
 template <int Kind>
 [[gnu::always_inline]] inline void search_block(const VertexView& of, int block, const VertexMap& m, const sc_form& in,
                                                 VertexHits& hits) {
-  const MappedBlock b = mapped_block(of, block, m);
-  if (bits_of(b.in_box) == 0) return;
-  note_block(of, block, b.in_box & (values_in_box<Kind>(b, in) <= 1), hits);
+  MappedBlock b;
+  map_block(of, block, m, b);
+  if (not_negative(b.room.at) == 0) return;
+  VertexSigns value;
+  values_at<Kind>(b, in, value.at);
+#pragma omp simd
+  for (int l = 0; l < 8; ++l) value.at[l] = b.room.at[l] < 0 ? -1 : 1 - value.at[l];
+  note_block(of, block, value, hits);
 }
 
 /// What can lie in another body, seen from a body at bounding radius 1: nothing that reaches less far along a
@@ -132,8 +147,8 @@ inline VertexCut cut_at(const sc_body_shape& body, const sc_vec& n, double begin
   return {sc_turn_back(body.turn, n), begin / body.radius - 1e-12};
 }
 
-[[gnu::always_inline]] inline lane8 along(const sc_vec& d, const double* p) {
-  return (d.x * load8(p) + d.y * load8(p + 8)) + d.z * load8(p + 16);
+[[gnu::always_inline]] inline double along(const sc_vec& d, double x, double y, double z) {
+  return (d.x * x + d.y * y) + d.z * z;
 }
 
 template <int Kind>
@@ -141,13 +156,18 @@ template <int Kind>
                                    VertexHits& hits) {
   for (int group = 0; group < of.blocks; group += 8) {
     const double* s = of.spheres + 4 * group;
-    const lane8 px = load8(s), py = load8(s + 8), pz = load8(s + 16), radius = load8(s + 24);
-    mask8 near = along(cut.along, s) + radius >= cut.least;
-    if (bits_of(near) == 0) continue;
-    near &= size_of(mapped(m, 0, px, py, pz)) <= 1 + m.spread[0] * radius;
-    near &= size_of(mapped(m, 1, px, py, pz)) <= 1 + m.spread[1] * radius;
-    near &= size_of(mapped(m, 2, px, py, pz)) <= 1 + m.spread[2] * radius;
-    for (unsigned bits = bits_of(near); bits; bits &= bits - 1)
+    VertexSigns near;
+#pragma omp simd
+    for (int l = 0; l < 8; ++l) {
+      const double x = s[l], y = s[8 + l], z = s[16 + l], radius = s[24 + l];
+      double room = along(cut.along, x, y, z) + radius - cut.least;
+      for (int k = 0; k < 3; ++k) {
+        const double past = (1 + m.spread[k] * radius) - SC_FABS(mapped(m, k, x, y, z));
+        room = SC_MIN(room, past);
+      }
+      near.at[l] = room;
+    }
+    for (unsigned bits = not_negative(near.at); bits; bits &= bits - 1)
       search_block<Kind>(of, group + __builtin_ctz(bits), m, in, hits);
   }
 }
@@ -170,20 +190,14 @@ inline void search_vertices(const VertexView& of, const VertexMap& m, const Vert
   with_kind(in, [&](auto kind) { search_kind<kind>(of, m, cut, in, hits); });
 }
 
-[[gnu::always_inline]] inline lane8 larger(lane8 a, lane8 b) { return a > b ? a : b; }
-
-/// How far points are from the box and the cut at least, over the bounding radius of their body; below 0 within both.
-[[gnu::always_inline]] inline lane8 outside(const VertexMap& m, const VertexCut& cut, const double* p) {
-  const lane8 x = load8(p), y = load8(p + 8), z = load8(p + 16);
-  lane8 far = cut.least - along(cut.along, p);
-  for (int k = 0; k < 3; ++k) far = larger(far, (size_of(mapped(m, k, x, y, z)) - 1) / m.spread[k]);
+/// How far a point is from the box and the cut at least, over the bounding radius of its body; below 0 within both.
+[[gnu::always_inline]] inline double outside(const VertexMap& m, const VertexCut& cut, double x, double y, double z) {
+  double far = cut.least - along(cut.along, x, y, z);
+  for (int k = 0; k < 3; ++k) {
+    const double past = (SC_FABS(mapped(m, k, x, y, z)) - 1) * m.size[k];
+    far = SC_MAX(far, past);
+  }
   return far;
-}
-
-[[gnu::always_inline]] inline double least_of(lane8 v) {
-  double least = v[0];
-  for (int l = 1; l < 8; ++l) least = SC_MIN(least, v[l]);
-  return least;
 }
 
 /// How far the vertices of a block are from another body at least, over the bounding radius of their own. A gauge g
@@ -193,11 +207,24 @@ template <int Kind>
 [[gnu::always_inline]] inline double block_distance(const VertexView& of, int block, const VertexMap& m,
                                                     const VertexCut& cut, const sc_form& in) {
   const double ball = 1 / SC_SQRT(m.spread[0] * m.spread[0] + m.spread[1] * m.spread[1] + m.spread[2] * m.spread[2]);
-  const lane8 far = outside(m, cut, of.points + std::int64_t{48} * block);
-  const MappedBlock b = mapped_block(of, block, m);
-  if (bits_of(b.in_box) == 0) return least_of(far);
-  const lane8 by_gauge = (1 - 1 / values_in_box<Kind>(b, in)) * (in.gauge.outer.inverse * ball);
-  return least_of(b.in_box ? larger(far, by_gauge) : far);
+  const double* p = of.points + std::int64_t{48} * block;
+  alignas(64) double far[8], value[8];
+#pragma omp simd
+  for (int l = 0; l < 8; ++l) far[l] = outside(m, cut, p[l], p[8 + l], p[16 + l]);
+  MappedBlock b;
+  map_block(of, block, m, b);
+  if (not_negative(b.room.at) != 0) {
+    values_at<Kind>(b, in, value);
+    const double scale = in.gauge.outer.inverse * ball;
+#pragma omp simd
+    for (int l = 0; l < 8; ++l) {
+      const double by_gauge = (1 - 1 / value[l]) * scale;
+      far[l] = b.room.at[l] < 0 ? far[l] : SC_MAX(far[l], by_gauge);
+    }
+  }
+  double least = far[0];
+  for (int l = 1; l < 8; ++l) least = SC_MIN(least, far[l]);
+  return least;
 }
 
 /// How far the vertices of a body are from another one at least, over the bounding radius of their own. The block whose
@@ -206,18 +233,16 @@ template <int Kind>
 [[gnu::noinline]] double distance_by_kind(const VertexView& of, const VertexMap& m, const VertexCut& cut,
                                           const sc_form& in) {
   double far[most_vertex_blocks + 8];
-  int nearest = 0;
   for (int group = 0; group < of.blocks; group += 8) {
     const double* s = of.spheres + 4 * group;
-    store8(far + group, outside(m, cut, s) - load8(s + 24));
-    for (int l = group; l < group + 8; ++l) nearest = far[l] < far[nearest] ? l : nearest;
+#pragma omp simd
+    for (int l = 0; l < 8; ++l) far[group + l] = outside(m, cut, s[l], s[8 + l], s[16 + l]) - s[24 + l];
   }
+  int nearest = 0;
+  for (int block = 1; block < of.blocks; ++block) nearest = far[block] < far[nearest] ? block : nearest;
   double least = block_distance<Kind>(of, nearest, m, cut, in);
-  for (int group = 0; group < of.blocks; group += 8)
-    for (unsigned bits = bits_of(load8(far + group) < least); bits; bits &= bits - 1) {
-      const int block = group + __builtin_ctz(bits);
-      if (far[block] < least) least = SC_MIN(least, block_distance<Kind>(of, block, m, cut, in));
-    }
+  for (int block = 0; block < of.blocks; ++block)
+    if (far[block] < least && block != nearest) least = SC_MIN(least, block_distance<Kind>(of, block, m, cut, in));
   return least;
 }
 
@@ -232,11 +257,19 @@ inline void search_behind(const VertexView& of, const sc_body_shape& body, const
   const double limit = distance / body.radius;
   for (int group = 0; group < of.blocks; group += 8) {
     const double* s = of.spheres + 4 * group;
-    const lane8 depth = ((d.x * load8(s) + d.y * load8(s + 8)) + d.z * load8(s + 16)) + load8(s + 24);
-    for (unsigned bits = bits_of(depth > limit); bits; bits &= bits - 1) {
+    VertexSigns near;
+#pragma omp simd
+    for (int l = 0; l < 8; ++l) near.at[l] = (along(d, s[l], s[8 + l], s[16 + l]) + s[24 + l]) - limit;
+    for (unsigned bits = not_negative(near.at); bits; bits &= bits - 1) {
       const int block = group + __builtin_ctz(bits);
       const double* p = of.points + std::int64_t{48} * block;
-      note_block(of, block, (d.x * load8(p) + d.y * load8(p + 8)) + d.z * load8(p + 16) > limit, hits);
+      VertexSigns behind;
+#pragma omp simd
+      for (int l = 0; l < 8; ++l) {
+        const double depth = along(d, p[l], p[8 + l], p[16 + l]);
+        behind.at[l] = depth > limit ? depth - limit : -1;
+      }
+      note_block(of, block, behind, hits);
     }
   }
 }
@@ -245,7 +278,7 @@ inline void search_behind(const VertexView& of, const sc_body_shape& body, const
 inline sc_vertices_within within(const sc_body_shape& body, const VertexHits& hits) {
   double sum[6];
   for (int k = 0; k < 6; ++k) {
-    const lane8 s = hits.sum[k];
+    const double* s = hits.sum[k];
     sum[k] = ((s[0] + s[4]) + (s[1] + s[5])) + ((s[2] + s[6]) + (s[3] + s[7]));
   }
   const double share = hits.count > 0 ? 1.0 / hits.count : 0.0;
@@ -259,14 +292,14 @@ inline sc_vertices_within within(const sc_body_shape& body, const VertexHits& hi
 /// How far those found reach from the centre of their body along n [m].
 inline double reach_along(const VertexView& of, const sc_body_shape& body, const VertexHits& hits, const sc_vec& n) {
   const sc_vec d = sc_turn_back(body.turn, n);
-  lane8 most = lane8{} - 1e300;
+  double farthest = -1e300;
   for (int b = 0; b < hits.blocks; ++b) {
     const double* p = of.points + std::int64_t{48} * hits.block[b];
-    const lane8 along = (d.x * load8(p) + d.y * load8(p + 8)) + d.z * load8(p + 16);
-    most = (mask_of(hits.lanes[b]) & (along > most)) ? along : most;
+    for (unsigned bits = hits.lanes[b]; bits; bits &= bits - 1) {
+      const int l = __builtin_ctz(bits);
+      farthest = SC_MAX(farthest, along(d, p[l], p[8 + l], p[16 + l]));
+    }
   }
-  double farthest = most[0];
-  for (int l = 1; l < 8; ++l) farthest = SC_MAX(farthest, most[l]);
   return body.radius * farthest;
 }
 
