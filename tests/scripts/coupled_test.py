@@ -188,6 +188,13 @@ class Coupled(Ranks):
         self.assertLess(taken, told)
         self.assertGreater(taken, 0.3 * told)
 
+    def test_a_restart_keeps_the_steps_of_the_fluid(self):
+        self.run_on(0, BED, "kept", "--until", "0.0031", "--set", "simulation.end=0.004")
+        more = self.scree(0, BED, "kept", "--restart", "latest", "--set", "coupling.subcycles=7")
+        self.assertEqual(more.returncode, 2)
+        self.assertIn("9 steps of the particles in one of the fluid, the case has 7", more.stderr)
+        self.assertIn("set coupling.subcycles = 9", more.stderr)
+
     def test_a_restart_on_two_processes(self):
         short = ("--set", "simulation.end=0.006")
         case = BED.replace("0.0102", "0.0031")

@@ -176,8 +176,7 @@ TEST(Idle, WhatBelongsToSomethingThatTheCaseDoesNotHaveIsNamed) {
   EXPECT_EQ(idle("[coupling]\ndrag = \"gidaspow_blend\"\n"), "");
   EXPECT_EQ(idle("[coupling]\ndrag = \"di_felice\"\n"), "coupling ");
   EXPECT_EQ(idle("[coupling]\nmagnus = true\n"), "coupling ");
-  const std::string fluid =
-      "[fluid]\ntype = \"incompressible\"\ndensity = 1\nviscosity = 1e-5\ncells = [4, 4, 4]\n";
+  const std::string fluid = "[fluid]\ntype = \"incompressible\"\ndensity = 1\nviscosity = 1e-5\ncells = [4, 4, 4]\n";
   EXPECT_EQ(idle("[coupling]\ndrag = \"di_felice\"\n" + fluid), "");
   Case warm = case_of(domain_text(fluid + wall("type = \"box\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]")));
   warm.heat.type = "solved";

@@ -72,8 +72,8 @@ double kinetic_energy(const Simulation& s) {
   return sum;
 }
 
-// The steps of the fluid that are chosen for it are short enough; ten times as long, its pressure answers the swing of the
-// packed beads too late and drives it on until they burst apart.
+// The steps of the fluid that are chosen for it are short enough; ten times as long, its pressure answers the swing of
+// the packed beads too late and drives it on until they burst apart.
 TEST(CoupledBed, ComesToRestUnderALiquidAtTheStepsChosenForIt) {
   Simulation chosen(case_of(bed(0)), 1);
   EXPECT_EQ(chosen.coupling()->settings.subcycles, 4);
@@ -84,7 +84,8 @@ TEST(CoupledBed, ComesToRestUnderALiquidAtTheStepsChosenForIt) {
   EXPECT_THROW(while (late.clock().now() < 0.4) late.step(), PhysicsError);
 }
 
-// The plate carries a bead that has come to rest, so that the liquid has its own weight to carry, from the inlet to the outlet.
+// The plate carries a bead that has come to rest, so that the liquid has its own weight to carry, from the inlet to the
+// outlet.
 TEST(CoupledBed, PressureDropIsThatOfTheWholeColumn) {
   Simulation s(case_of(bed(0, 1, 0)), 1);
   while (s.clock().now() < 0.4) s.step();

@@ -1,5 +1,7 @@
 // What `scree check` says of a coupled case before it is run: too few cells, cells that need what they are not given,
 // drag that is too stiff or outside what its law was measured for.
+#include "scree/app/coupling_report.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 
 #include "engine_cases.h"
 #include "scree/app/build_coupling.h"
-#include "scree/app/coupling_report.h"
 #include "scree/app/derived.h"
 
 namespace scree {
@@ -22,8 +23,7 @@ Case bed(const std::string& cells, const std::string& coupling, const std::strin
       "[[materials]]\nname = \"glass\"\ndensity = 2500\nstiffness = 1000\n"
       "[[particles]]\nname = \"beads\"\nmaterial = \"glass\"\ndiameter = 0.002\ninsert = \"random\"\ncount = 9000\n"
       "[fluid]\ntype = \"incompressible\"\ndensity = 1.2\nviscosity = 1.8e-5\ncells = " +
-      cells +
-      "\n[[fluid.patches]]\nname = \"in\"\nface = \"y_min\"\ntype = \"inlet\"\nvelocity = [\"0\", \"" + speed +
+      cells + "\n[[fluid.patches]]\nname = \"in\"\nface = \"y_min\"\ntype = \"inlet\"\nvelocity = [\"0\", \"" + speed +
       "\", \"0\"]\n[[fluid.patches]]\nname = \"out\"\nface = \"y_max\"\ntype = \"outlet\"\n[coupling]\n" + coupling);
 }
 
@@ -68,7 +68,8 @@ TEST(CouplingReport, NamesStepsThatShakeABedInALiquid) {
   c.coupling.subcycles = static_cast<std::uint64_t>(contact / 6 / 1e-5);
   EXPECT_EQ(remedies(c), "");
   c.coupling.subcycles = 0;
-  EXPECT_EQ(build_coupling_settings(c, derive(c).kinds, derive(c).step).subcycles, static_cast<int>(contact / 6 / 1e-5));
+  EXPECT_EQ(build_coupling_settings(c, derive(c).kinds, derive(c).step).subcycles,
+            static_cast<int>(contact / 6 / 1e-5));
   c.fluid.density = 1.2;
   EXPECT_TRUE(std::isinf(longest_step_in_bed(c, derive(c).kinds, contact)));
 }
@@ -76,7 +77,8 @@ TEST(CouplingReport, NamesStepsThatShakeABedInALiquid) {
 TEST(CouplingReport, NamesSpeedsThatTheLawWasNotMeasuredAt) {
   // 0.3 m/s over a void fraction of 0.4 make a Reynolds number of 1.2 * 0.3 * 0.002 / 1.8e-5 = 40.
   EXPECT_EQ(remedies(bed("[8, 16, 8]", "subcycles = 10\ndrag = \"beetstra\"\n")), "");
-  EXPECT_TRUE(has(remedies(bed("[8, 16, 8]", "subcycles = 10\ndrag = \"beetstra\"\n", "10")), "has been measured up to"));
+  EXPECT_TRUE(
+      has(remedies(bed("[8, 16, 8]", "subcycles = 10\ndrag = \"beetstra\"\n", "10")), "has been measured up to"));
 }
 
 }  // namespace

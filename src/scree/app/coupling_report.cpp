@@ -21,6 +21,7 @@ constexpr double stiff = 1;                               // fluid steps in a re
 constexpr int few_cells = 3;                              // across a domain
 constexpr double narrow = 2;                              // diameters of a cell without diffusion
 constexpr double few_solids = 0.01;                       // of the domain: each particle is alone
+constexpr double fewest_in_bed = 20;                      // particles that can lie on each other
 constexpr double most_saffman = 100, most_magnus = 1000;  // Reynolds numbers
 constexpr double light = 0.5;                             // density over that of the fluid that asks for the added mass
 
@@ -134,9 +135,9 @@ void say_kind(const Case& c, const CouplingSettings& s, const FluidRegion& regio
 /// A bed at rest in a liquid shakes itself apart if the fluid answers too late.
 std::string slow_in_bed(const Case& c, const Derived& derived, const CouplingSettings& s) {
   const double longest = longest_step_in_bed(c, derived.kinds, derived.step.contact_time);
-  if (expected_voidage(derived) != packed || s.fluid_step() <= longest * (1 + 1e-9)) return "";
+  if (derived.cost.particles < fewest_in_bed || s.fluid_step() <= longest * (1 + 1e-9)) return "";
   return fmt::format(
-      "in so dense a fluid, particles that lie on each other shake with steps above {:.3g} s, a sixth of a contact: "
+      "in so dense a fluid, a bed at rest shakes with steps above {:.3g} s, a sixth of a contact: "
       "coupling.subcycles = 0, or at most {:.0f}",
       longest, std::max(1.0, std::floor(longest / s.step * (1 + 1e-9))));
 }
@@ -159,9 +160,8 @@ std::vector<CouplingNote> coupling_notes(const Case& c, const Derived& derived) 
   notes.push_back(
       {"grid of the fluid", grid_text(g),
        few ? "two cells across the domain show hardly anything of the flow there; one or at least three" : ""});
-  notes.push_back(
-      {"time step of the fluid", fmt::format("{:.4g} s, {} of the particles'", s.fluid_step(), s.subcycles),
-       slow_in_bed(c, derived, s)});
+  notes.push_back({"time step of the fluid", fmt::format("{:.4g} s, {} of the particles'", s.fluid_step(), s.subcycles),
+                   slow_in_bed(c, derived, s)});
   double largest = 0;
   for (const BodyKind& kind : derived.kinds) largest = std::max(largest, kind.largest);
   if (std::isfinite(least) && largest > 0)
@@ -169,8 +169,7 @@ std::vector<CouplingNote> coupling_notes(const Case& c, const Derived& derived) 
         {"cells per diameter",
          s.diffusion > 0 ? fmt::format("{:.3g}; particles are spread to {:.3g} m", least / largest, s.diffusion)
                          : fmt::format("{:.3g}", least / largest),
-         s.diffusion == 0 && least < narrow * largest
-             ? "cells this narrow need diffusion: remove coupling.diffusion"
+         s.diffusion == 0 && least < narrow * largest ? "cells this narrow need diffusion: remove coupling.diffusion"
          : s.diffusion >= shortest ? fmt::format("coupling.diffusion is as wide as the domain, {:.3g} m", shortest)
                                    : ""});
   for (const BodyKind& kind : derived.kinds)

@@ -107,9 +107,9 @@ struct Derived {
 Derived derive(const Case& c);
 
 /// Steps and contacts. The time step of the run is simulation.time_step, or the shortest contact time over
-/// simulation.steps_per_contact, over every pair of materials and sizes that the case can create, walls included, and no
-/// longer than strong dashpots bear (longest_damped_step). Hertz counts with the top speed; if nothing is known to move,
-/// the step is a fifth of the Rayleigh time.
+/// simulation.steps_per_contact, over every pair of materials and sizes that the case can create, walls included, and
+/// no longer than strong dashpots bear (longest_damped_step). Hertz counts with the top speed; if nothing is known to
+/// move, the step is a fifth of the Rayleigh time.
 DerivedStep derive_step(const Case& c, const Materials& materials, const std::vector<BodyKind>& kinds,
                         const Walls& walls);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "scree/base/hash.h"
 #include "scree/fluid/halo.h"
@@ -145,6 +146,12 @@ void put_coupling(const FluidCoupling& coupling, Archive& out) {
   const CouplingBooks& b = coupling.books;
   out.put("coupling_books", std::vector<double>{b.error[0], b.error[1], b.error[2], b.turned, b.crowded,
                                                 b.least_fraction, b.heat_error, b.heat_to_particles});
+}
+
+std::optional<int> saved_subcycles(const Archive& archive) {
+  const double fluid = archive.number("fluid_time_step");
+  if (!(fluid > 0)) return {};
+  return static_cast<int>(std::lround(fluid / archive.number("time_step")));
 }
 
 void restore_coupling(FluidCoupling& coupling, const Archive& archive) {

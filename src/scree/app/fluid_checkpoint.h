@@ -1,6 +1,7 @@
 // Saving a fluid and continuing it, and the hash that tells whether two are the same to the last bit.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "scree/coupling/coupling.h"
@@ -18,6 +19,9 @@ void put_fluid(const FluidSolver& s, Archive& archive);
 /// The same of a fluid with particles in it, which are saved elsewhere.
 void put_coupling(const FluidCoupling& coupling, Archive& archive);
 void restore_coupling(FluidCoupling& coupling, const Archive& archive);
+
+/// How many steps of the particles the last step of the fluid took; empty before the first.
+std::optional<int> saved_subcycles(const Archive& archive);
 
 /// Continues from what save_fluid() gave, on any number of ranks.
 void restore_fluid(FluidSolver& s, const Archive& archive);

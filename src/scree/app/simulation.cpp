@@ -12,6 +12,7 @@
 #include "scree/app/coupling_columns.h"
 #include "scree/app/derived.h"
 #include "scree/app/device_run.h"
+#include "scree/app/fluid_checkpoint.h"
 #include "scree/app/fluid_outputs.h"
 #include "scree/app/guard.h"
 #include "scree/app/models.h"
@@ -44,8 +45,11 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const R
   if (continues) step.time_step = resumed->number("time_step");
   clock_.dt = step.time_step;
   if (couples(c)) {
-    coupling_ = std::make_unique<FluidCoupling>(build_fluid_region(c), build_loaded_fluid(c),
-                                                build_coupling_settings(c, kinds, step), system_.forms, ranks);
+    CouplingSettings settings = build_coupling_settings(c, kinds, step);
+    // Those that the steps were chosen for may have left.
+    if (continues) settings.subcycles = saved_subcycles(*resumed).value_or(settings.subcycles);
+    coupling_ =
+        std::make_unique<FluidCoupling>(build_fluid_region(c), build_loaded_fluid(c), settings, system_.forms, ranks);
     system_.particles.couple(coupling_->settings.forces.turn());
     fields_.drag = SC_DRAG_OF_FIELD;
   }

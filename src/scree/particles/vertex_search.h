@@ -24,7 +24,8 @@ struct alignas(64) VertexHits {
   std::uint8_t lanes[most_vertex_blocks];
 };
 
-/// Eight numbers of which the sign says something: those not negative count.
+/// Eight numbers of which the sign says something: those not negative count. They are finite, and no zero of theirs is
+/// negative: poses that are not finite end a run before.
 struct alignas(64) VertexSigns {
   double at[8];
 };
