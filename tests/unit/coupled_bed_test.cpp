@@ -72,11 +72,11 @@ double kinetic_energy(const Simulation& s) {
   return sum;
 }
 
-// The steps of the fluid that are chosen for it are short enough; ten times as long, its pressure answers the swing of
-// the packed beads too late and drives it on until they burst apart.
+// The steps of the fluid that are chosen for it are short enough; twenty times as long, its pressure answers the swing
+// of the packed beads too late and drives it on until they burst apart.
 TEST(CoupledBed, ComesToRestUnderALiquidAtTheStepsChosenForIt) {
   Simulation chosen(case_of(bed(0)), 1);
-  EXPECT_EQ(chosen.coupling()->settings.subcycles, 4);
+  EXPECT_EQ(chosen.coupling()->settings.subcycles, 2);
   while (chosen.clock().now() < 0.4) chosen.step();
   // At the speed they fall with it would be 1e-7 J.
   EXPECT_LT(kinetic_energy(chosen), 1e-12);

@@ -38,7 +38,7 @@ double fluid_step(const Case& c, const FluidRegion& region, const std::vector<Bo
 
 double longest_step_in_bed(const Case& c, const std::vector<BodyKind>& kinds, double contact_time) {
   constexpr double sluggish = 0.07;  // inertia of the fluid that makes way for packed particles, over their own
-  constexpr double answered = 1.0 / 6;
+  constexpr double answered = 1.0 / 12;
   double heaviness = 0;
   for (const BodyKind& kind : kinds)
     if (kind.free) heaviness = std::max(heaviness, c.fluid.density / kind.density);

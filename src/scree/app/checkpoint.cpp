@@ -76,12 +76,6 @@ void Simulation::restore(const Archive& archive) {
         fmt::format("{} was written with time step {} s, the case has {} s: a run continues with its own time "
                     "step",
                     archive.origin, archive.number("time_step"), clock_.dt));
-  if (const auto saved = coupling_ ? saved_subcycles(archive) : std::nullopt;
-      saved && *saved != coupling_->settings.subcycles)
-    throw InputError(fmt::format(
-        "{} was written with {} steps of the particles in one of the fluid, the case has {}: a run continues "
-        "with its own\n  = help: set coupling.subcycles = {}",
-        archive.origin, *saved, coupling_->settings.subcycles, *saved));
   system_.particles = particles_of(archive, ranks_);
   exchange_.restore(archive);
   planes_.restore(case_, archive, ranks_);

@@ -137,7 +137,7 @@ std::string slow_in_bed(const Case& c, const Derived& derived, const CouplingSet
   const double longest = longest_step_in_bed(c, derived.kinds, derived.step.contact_time);
   if (derived.cost.particles < fewest_in_bed || s.fluid_step() <= longest * (1 + 1e-9)) return "";
   return fmt::format(
-      "in so dense a fluid, a bed at rest shakes with steps above {:.3g} s, a sixth of a contact: "
+      "in so dense a fluid, a bed at rest shakes with steps above {:.3g} s, a twelfth of a contact: "
       "coupling.subcycles = 0, or at most {:.0f}",
       longest, std::max(1.0, std::floor(longest / s.step * (1 + 1e-9))));
 }

@@ -46,8 +46,8 @@ Simulation::Simulation(const Case& c, Team team, const Archive* resumed, const R
   clock_.dt = step.time_step;
   if (couples(c)) {
     CouplingSettings settings = build_coupling_settings(c, kinds, step);
-    // Those that the steps were chosen for may have left.
-    if (continues) settings.subcycles = saved_subcycles(*resumed).value_or(settings.subcycles);
+    // A run goes on as it began: those that the steps were chosen for may have left, or the end may be another.
+    if (resumed) settings.subcycles = saved_subcycles(*resumed).value_or(settings.subcycles);
     coupling_ =
         std::make_unique<FluidCoupling>(build_fluid_region(c), build_loaded_fluid(c), settings, system_.forms, ranks);
     system_.particles.couple(coupling_->settings.forces.turn());
