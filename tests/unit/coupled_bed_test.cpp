@@ -88,7 +88,7 @@ TEST(CoupledBed, ComesToRestUnderALiquidAtTheStepsChosenForIt) {
 // outlet.
 TEST(CoupledBed, PressureDropIsThatOfTheWholeColumn) {
   Simulation s(case_of(bed(0, 1, 0)), 1);
-  while (s.clock().now() < 0.4) s.step();
+  while (s.clock().now() < 0.25) s.step();
   EXPECT_NEAR(pressure_drop(s.coupling()->fluid), 1000 * 9.81 * 0.03, 1e-3);
 }
 
