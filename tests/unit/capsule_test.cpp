@@ -235,14 +235,8 @@ Case bed_of(bool hard, int count) {
   return test::case_of(text);
 }
 
-double kinetic(const Simulation& s) {
-  const Particles& p = s.system().particles;
-  double sum = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double* m = p.motion.row(i);
-    sum += 0.5 * p.mass[i] * (m[4] * m[4] + m[5] * m[5] + m[6] * m[6]);
-  }
-  return sum;
+double kinetic(Simulation& s) {
+  return measure(s.sample(), s.fields(), s.clock().now(), s.exchange().passage()).kinetic;
 }
 
 // 12 capsules fall 50 mm on the average: what is left of their energy of motion.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scree/app/coupling_columns.h"
+#include "scree/app/measures.h"
 #include "scree/base/error.h"
 #include "support/coupled_cloud.h"
 
@@ -62,14 +63,8 @@ subcycles = {}
                      count, inflow, subcycles);
 }
 
-double kinetic_energy(const Simulation& s) {
-  const Particles& p = s.system().particles;
-  double sum = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double* m = p.motion.row(i);
-    for (int a = 0; a < 3; ++a) sum += 0.5 * p.mass[i] * m[lane::vx + a] * m[lane::vx + a];
-  }
-  return sum;
+double kinetic_energy(Simulation& s) {
+  return measure(s.sample(), s.fields(), s.clock().now(), s.exchange().passage()).kinetic;
 }
 
 // The steps of the fluid that are chosen for it are short enough; twenty times as long, its pressure answers the swing

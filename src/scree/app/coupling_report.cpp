@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "scree/app/build_coupling.h"
@@ -21,7 +22,7 @@ constexpr double stiff = 1;                               // fluid steps in a re
 constexpr int few_cells = 3;                              // across a domain
 constexpr double narrow = 2;                              // diameters of a cell without diffusion
 constexpr double few_solids = 0.01;                       // of the domain: each particle is alone
-constexpr double fewest_in_bed = 20;                      // particles that can lie on each other
+constexpr std::uint64_t fewest_in_bed = 20;               // particles that can lie on each other
 constexpr double most_saffman = 100, most_magnus = 1000;  // Reynolds numbers
 constexpr double light = 0.5;                             // density over that of the fluid that asks for the added mass
 
