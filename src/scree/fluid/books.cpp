@@ -66,8 +66,7 @@ void enter_friction_and_pressure(FluidSolver& s) {
     return add_over_cells(s,
                           [&](int a, std::int64_t c, int, int, int) { return s.felt()[c] * s.work.mean_force[a][c]; });
   // The mean forces of a row of cells leave nothing but the pressure at its ends.
-  for (const BoundaryFace& f : s.boundary)
-    s.work.force[f.axis] -= f.side * f.area * (s.state.pressure[f.cell] - f.side * f.half * boundary_force(s, f));
+  for (const BoundaryFace& f : s.boundary) s.work.force[f.axis] -= f.side * f.area * boundary_pressure(s, f);
 }
 
 void enter_correction(FluidSolver& s, const Bdf& bdf) {
