@@ -72,7 +72,11 @@ class FilesOfSeveralRanks(Ranks):
         self.assertEqual(len((self.work / "alone" / "tracks.csv").read_text().splitlines()), 1 + 3 * (len(lines) - 1))
 
     def test_agglomerates_walls_and_shapes_are_the_same_on_any_number(self):
-        self.same_on(SHAPES + 'frames = "4 ms"\ncontacts = true\ncompression = "small"\n[analysis]\nagglomerates = true\n', 2, 4)
+        self.same_on(SHAPES + 'frames = "4 ms"\ncontacts = true\ncompression = "small"\n[analysis]\nagglomerates = true\n'
+                     '[[analysis.regions]]\nname = "all"\n', 2, 4)
+        series = numpy.genfromtxt(self.work / "alone" / "series.csv", delimiter=",", names=True)
+        self.assertGreater(series["all_nematic_order"][-1], 0)
+        self.assertAlmostEqual(sum(series[f"all_cos2_{axis}"][-1] for axis in "xyz"), 1)
 
     def test_what_hard_spheres_are_looked_at_for_is_the_same_on_any_number(self):
         self.same_on(HARD_SPHERES.replace("contacts = true\n", 'contacts = true\nfields = ["force", "contacts"]\ntracks = [0]\n'), 3)

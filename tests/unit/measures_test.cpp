@@ -85,6 +85,7 @@ TEST(Measures, OfARunAreInItsFiles) {
   // All contacts between particles count for two of them.
   EXPECT_GT(rows.at("whole_coordination").back(), 0);
   EXPECT_LE(rows.at("whole_coordination").back(), 2 * rows.at("contacts").back() / rows.at("particles").back());
+  EXPECT_FALSE(rows.contains("whole_nematic_order"));  // spheres
   // The averages hold all particles of the box at every sample.
   const fs::path all = space / "run/averages/all_000000.h5";
   double number = 0;
@@ -106,6 +107,25 @@ TEST(Measures, OfARunAreInItsFiles) {
   EXPECT_EQ(static_cast<double>(numbers(contacts, "/contacts/normal_force").size()), rows.at("contacts").back());
   EXPECT_NE(read_text_file(space / "run/contacts.xdmf").find("contacts/contacts_000003.h5:/contacts/force"),
             std::string::npos);
+}
+
+/// Rods that float: two along z, one along x. What the region says is by their number, and spheres do not count.
+TEST(Measures, OfARegionSayHowBodiesAreTurned) {
+  const TemporaryDirectory space;
+  const std::string rods = "material = \"glass\"\nshape = \"ellipsoid\"\ninsert = \"positions\"\n";
+  run_case(case_of("[simulation]\nend = 1e-4\ntime_step = 1e-5\n[domain]\nmin = [0, 0, 0]\nmax = [0.1, 0.1, 0.1]\n"
+                   "[[materials]]\nname = \"glass\"\ndensity = 2500\nstiffness = 1000\n[[particles]]\n" +
+                       rods + "half_axes = [1e-3, 1e-3, 4e-3]\npositions = [[0.02, 0.02, 0.02], [0.06, 0.02, 0.02]]\n" +
+                       "[[particles]]\n" + rods + "half_axes = [4e-3, 1e-3, 1e-3]\npositions = [[0.02, 0.06, 0.02]]\n" +
+                       "[[particles]]\nmaterial = \"glass\"\ndiameter = 1e-3\ninsert = \"positions\"\n"
+                       "positions = [[0.08, 0.08, 0.08]]\n[[analysis.regions]]\nname = \"all\"\n",
+                   {"output.series=1e-4"}),
+           into(space / "run"));
+  const auto rows = table(space / "run/series.csv");
+  EXPECT_NEAR(rows.at("all_cos2_x").back(), 1.0 / 3, 1e-14);
+  EXPECT_NEAR(rows.at("all_cos2_y").back(), 0, 1e-14);
+  EXPECT_NEAR(rows.at("all_cos2_z").back(), 2.0 / 3, 1e-14);
+  EXPECT_NEAR(rows.at("all_nematic_order").back(), 0.5, 1e-14);
 }
 
 /// The sign of a zero would tell from which partner a contact was computed, which lists decide.

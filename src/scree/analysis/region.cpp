@@ -124,14 +124,17 @@ double solid_fraction(const Region& region, const Particles& particles, const Fo
   return sum.value() / volume;
 }
 
+bool has_centre_in(const Region& region, const double* motion) {
+  bool inside = motion[lane::inverse_mass] != 0;
+  for (int k = 0; k < 3; ++k) inside = inside && motion[k] >= region.min[k] && motion[k] < region.max[k];
+  return inside;
+}
+
 double coordination_number(const Region& region, const Particles& particles, std::span<const std::int32_t> contacts,
                            const Ranks& ranks) {
   std::int64_t there = 0, sum = 0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    const double* m = particles.motion.row(i);
-    bool inside = m[lane::inverse_mass] != 0;
-    for (int k = 0; k < 3; ++k) inside = inside && m[k] >= region.min[k] && m[k] < region.max[k];
-    if (!inside) continue;
+    if (!has_centre_in(region, particles.motion.row(i))) continue;
     ++there;
     sum += contacts[i];
   }

@@ -34,6 +34,9 @@ FormCones cut_into_cones(const sc_form& form);
 double solid_fraction(const Region& region, const Particles& particles, const Forms& forms, const Domain& domain,
                       const Ranks& ranks = {});
 
+/// Whether a particle with this row of motion has finite mass and its centre in the box.
+bool has_centre_in(const Region& region, const double* motion);
+
 /// Mean number of contacts, `contacts` by the place of a particle, of those of finite mass whose centre is in the box;
 /// NaN if there is none. Likewise with several ranks.
 double coordination_number(const Region& region, const Particles& particles, std::span<const std::int32_t> contacts,

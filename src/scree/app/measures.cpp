@@ -1,5 +1,7 @@
 #include "scree/app/measures.h"
 
+#include <algorithm>
+
 namespace scree {
 namespace {
 
@@ -14,6 +16,12 @@ SurfaceProbe probe_of(const SurfaceKeys& keys) {
   return out;
 }
 
+/// Whether the axes of bodies have columns: where some are no spheres, or may be, as those of a checkpoint.
+bool tells_axes(const Case& c) {
+  return has_shapes(c) || std::any_of(c.particles.begin(), c.particles.end(),
+                                      [](const ParticleKeys& p) { return p.insert == "checkpoint"; });
+}
+
 }  // namespace
 
 std::vector<std::string> measure_columns(const Case& c) {
@@ -22,13 +30,16 @@ std::vector<std::string> measure_columns(const Case& c) {
     for (const char* what : {"_count", "_against", "_mass", "_rate"}) out.push_back(plane.name + what);
   for (const SurfaceKeys& surface : c.analysis.surfaces)
     for (const char* what : {"_level", "_angle", "_direction"}) out.push_back(surface.name + what);
-  for (const RegionKeys& region : c.analysis.regions)
+  for (const RegionKeys& region : c.analysis.regions) {
     for (const char* what : {"_solid_fraction", "_coordination"}) out.push_back(region.name + what);
+    if (!tells_axes(c)) continue;
+    for (const char* what : {"_nematic_order", "_cos2_x", "_cos2_y", "_cos2_z"}) out.push_back(region.name + what);
+  }
   return out;
 }
 
 Measures::Measures(const Case& c, const Clock& clock, const std::filesystem::path& directory, const Archive* archive)
-    : row_time_(clock.now()) {
+    : axes_(tells_axes(c)), row_time_(clock.now()) {
   for (const PlaneKeys& keys : c.analysis.planes) {
     Plane plane{keys.name, {}, 0};
     if (archive && archive->contains("plane_row_mass_" + keys.name))
@@ -52,7 +63,7 @@ void Measures::count(const Simulation& simulation) {
   for (std::size_t k = 0; k < planes_.size(); ++k) planes_[k].count = counts[k];
 }
 
-std::vector<double> Measures::row(Simulation& simulation, const std::vector<double>& regions) {
+std::vector<double> Measures::row(Simulation& simulation, const std::vector<RegionFacts>& regions) {
   const double time = simulation.clock().now();
   std::vector<double> out;
   for (Plane& plane : planes_) {
@@ -68,7 +79,12 @@ std::vector<double> Measures::row(Simulation& simulation, const std::vector<doub
     const Surface found = find_surface(probe, simulation.whole().particles);
     out.insert(out.end(), {found.level, found.angle, found.direction});
   }
-  out.insert(out.end(), regions.begin(), regions.end());
+  for (const RegionFacts& region : regions) {
+    out.insert(out.end(), {region.solid_fraction, region.coordination});
+    if (!axes_) continue;
+    out.push_back(region.axes.nematic);
+    out.insert(out.end(), region.axes.cos2.begin(), region.axes.cos2.end());
+  }
   return out;
 }
 

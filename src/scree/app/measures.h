@@ -27,7 +27,7 @@ class Measures {
   void count(const Simulation& simulation);
 
   /// Values of measure_columns() for a row, `regions` among them; rates are those since the row before.
-  std::vector<double> row(Simulation& simulation, const std::vector<double>& regions);
+  std::vector<double> row(Simulation& simulation, const std::vector<RegionFacts>& regions);
 
   /// Writes what is incomplete.
   void finish();
@@ -45,6 +45,7 @@ class Measures {
   std::vector<Plane> planes_;
   std::vector<SurfaceProbe> surfaces_;
   std::vector<AverageRun> averages_;
+  bool axes_ = false;    // whether regions have columns of them
   double row_time_ = 0;  // of the last row [s]
   std::int64_t seen_step_ = -1;
 };

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "scree/analysis/axis_order.h"
 #include "scree/analysis/measure.h"
 #include "scree/analysis/region.h"
 #include "scree/app/build.h"
@@ -70,12 +71,18 @@ enum class Call : std::int64_t {
   dismiss
 };
 
+/// What is in one of the regions.
+struct RegionFacts {
+  double solid_fraction = 0, coordination = 0;
+  AxisOrder axes;
+};
+
 /// What a row of the series says of the particles of all ranks, besides what they hold.
 struct RowFacts {
   Speeds speeds;
-  std::vector<double> regions;  // solid fraction and coordination number of each
-  std::vector<double> tracks;   // rows of the particles that are followed
-  std::vector<double> heat;     // heat_row()
+  std::vector<RegionFacts> regions;
+  std::vector<double> tracks;  // rows of the particles that are followed
+  std::vector<double> heat;    // heat_row()
 };
 
 /// What has been counted since the start.

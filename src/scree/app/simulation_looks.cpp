@@ -77,10 +77,10 @@ RowFacts Simulation::look_at_share() {
   out.speeds = measure_speeds(now, ranks_);
   if (!regions_.empty()) {
     const std::vector<std::int32_t> contacts = count_contacts(s);
-    for (const Region& region : regions_) {
-      out.regions.push_back(solid_fraction(region, s.particles, s.forms, s.domain, ranks_));
-      out.regions.push_back(coordination_number(region, s.particles, contacts, ranks_));
-    }
+    for (const Region& region : regions_)
+      out.regions.push_back({solid_fraction(region, s.particles, s.forms, s.domain, ranks_),
+                             coordination_number(region, s.particles, contacts, ranks_),
+                             axis_order(region, s.particles, s.forms, ranks_)});
   }
   if (heat_) out.heat = heat_row(heat_facts(s.particles, ranks_), heat_books_);
   // A particle is on one rank: each looks for each of them.
