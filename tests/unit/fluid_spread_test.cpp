@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "scree/coupling/diffusion.h"
@@ -165,6 +166,35 @@ TEST(Spread, PointsOfABodyHaveItsMoments) {
   EXPECT_NEAR(form.inertia[0], x[1] * x[1] + x[2] * x[2], 1e-14);
   EXPECT_NEAR(form.inertia[2], x[0] * x[0] + x[1] * x[1], 1e-14);
   EXPECT_EQ(s.points[0][0], 0);
+}
+
+/// A wave is a mode of the cells: eight implicit steps leave (1 + lambda)^-8 of it, and the levels on the way are the
+/// sum of the powers. In cells from wide against the bell to narrow ones.
+TEST(Spread, DiffusionLeavesOfAWaveWhatEightStepsDo) {
+  constexpr int cells = 12, waves = 5;
+  Grid g;
+  g.periodic = {true, true, true};
+  for (int a = 0; a < 3; ++a)
+    for (int i = 0; i <= (a == 0 ? cells : 1); ++i) g.faces[a].push_back(0.1 * i);
+  const FluidRegion region = region_of(g);
+  const Mesh m = make_mesh(region, Ranks());
+  for (const double width : {0.02, 0.1, 0.3, 1.2}) {
+    Diffusion d = make_diffusion(m, Ranks(), width);
+    VectorField amount = m.make_vector(), found = m.make_vector();
+    Field levels = m.make_field();
+    for (int i = 0; i < cells; ++i)
+      amount[0][m.index(i, 0, 0)] = 1e-3 * std::cos(2 * std::numbers::pi * waves * i / cells);
+    diffuse(d, m, Ranks(), std::span(amount).first(1), std::span(found).first(1), &levels);
+    // A Gaussian of this full width at half maximum has the variance 2 * 8 * length2.
+    const double length2 = width * width / (8 * std::log(2.0)) / 16;
+    const double lambda = length2 * (2 - 2 * std::cos(2 * std::numbers::pi * waves / cells)) / 0.01;
+    const double left = std::pow(1 + lambda, -8);
+    for (int i = 0; i < cells; ++i) {
+      const double wave = std::cos(2 * std::numbers::pi * waves * i / cells);
+      EXPECT_NEAR(found[0][m.index(i, 0, 0)], left * wave, 1e-11) << width;
+      EXPECT_NEAR(levels[m.index(i, 0, 0)], (1 - left) / lambda * wave, 1e-11) << width;
+    }
+  }
 }
 
 TEST(Spread, DiffusionConservesAndIsItsOwnAdjoint) {

@@ -102,7 +102,7 @@ void load_passed(FluidCoupling& c, const Particles& p, const std::vector<std::ui
     for_each_row(m, [&](int j, int k) {
       for (int i = 0; i < m.n[0]; ++i) {
         const std::int64_t at = m.index(i, j, k);
-        const double spread = c.diffusion.length2 > 0 ? c.diffusion.equation.face[a][at] : 0;
+        const double spread = c.diffusion.length2 > 0 ? c.diffusion.face[a][at] : 0;
         passed[a][at] += spread * (levels[at - st] - levels[at]) + m.open[a][at] * (surpluses[at - st] - surpluses[at]);
       }
     });
@@ -131,9 +131,8 @@ void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x) {
   for (int a = 0; a < 3; ++a) read_component(m, sums, 1 + a, x.motion.scale, c.amounts[a]);
   diffuse(c.diffusion, m, c.fluid.ranks, c.amounts, c.fluid.load.solids);
   read_component(m, sums, 0, x.volume.scale, c.amounts[0]);
-  for (int a = 1; a < 3; ++a) std::fill(c.amounts[a].begin(), c.amounts[a].end(), 0.0);
   const Field old_levels = c.levels, old_surpluses = c.surpluses;
-  diffuse(c.diffusion, m, c.fluid.ranks, c.amounts, c.densities, &c.levels);
+  diffuse(c.diffusion, m, c.fluid.ranks, std::span(c.amounts).first(1), std::span(c.densities).first(1), &c.levels);
   Field& solids = c.densities[0];
   const Crowding crowding = relieve_crowding(m, c.fluid.ranks, 1 - c.settings.least_fraction, solids, c.surpluses);
   load_passed(c, p, known, x, old_levels, old_surpluses);
@@ -229,9 +228,7 @@ void load_fluid(FluidCoupling& c, const Particles& p, Exchanged& x) {
   const Deposits sums = c.exchange.collect(mine);
   FluidLoad& load = c.fluid.load;
   read_component(m, sums, 0, x.drag.scale, c.amounts[0]);
-  for (int a = 1; a < 3; ++a) std::fill(c.amounts[a].begin(), c.amounts[a].end(), 0.0);
-  diffuse(c.diffusion, m, ranks, c.amounts, c.densities);
-  std::copy(c.densities[0].begin(), c.densities[0].end(), load.drag.begin());
+  diffuse(c.diffusion, m, ranks, std::span(c.amounts).first(1), {&load.drag, 1});
   const double per_dt = 1 / c.settings.fluid_step();
   Field surplus = m.make_field();
   for (int a = 0; a < 3; ++a) {

@@ -84,8 +84,7 @@ HeatPromise load_heat(FluidCoupling& c, const Particles& p, const CellBox& box) 
   const Deposits sums = c.exchange.collect(mine);
   read_component(c.fluid.mesh, sums, 0, rate.scale, c.amounts[0]);
   read_component(c.fluid.mesh, sums, 1, push.scale, c.amounts[1]);
-  std::fill(c.amounts[2].begin(), c.amounts[2].end(), 0.0);
-  diffuse(c.diffusion, c.fluid.mesh, c.fluid.ranks, c.amounts, c.densities);
+  diffuse(c.diffusion, c.fluid.mesh, c.fluid.ranks, std::span(c.amounts).first(2), std::span(c.densities).first(2));
   std::copy(c.densities[0].begin(), c.densities[0].end(), c.fluid.load.heat_rate.begin());
   std::copy(c.densities[1].begin(), c.densities[1].end(), c.fluid.load.heat_push.begin());
   out.rate = std::move(rate.values);

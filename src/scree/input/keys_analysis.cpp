@@ -71,8 +71,8 @@ const Section& regions_section() {
   static const Section section = {
       "analysis.regions",
       "[[analysis.regions]]",
-      "A box in which the packing is measured: columns NAME_solid_fraction and NAME_coordination of the series; of bodies "
-      "that are no spheres also how they are turned, NAME_nematic_order and NAME_cos2_x, _y, _z.",
+      "A box in which the packing is measured: columns NAME_solid_fraction and NAME_coordination of the series; of "
+      "bodies that are no spheres also how they are turned, NAME_nematic_order and NAME_cos2_x, _y, _z.",
       {key("name", &S::name, "name of its columns").is_a(TextKind::name).defaults_to("region0, region1, ..."),
        key("min", &S::min, "lower corner of the box").unit("m").defaults_to("the domain"),
        key("max", &S::max, "upper corner of the box").unit("m").defaults_to("the domain")},
