@@ -55,7 +55,7 @@ std::pair<double, double> imbalance(const Grid& g, const Particles& p) {
   Deposits was, is, passed;
   spread(s, before, {&q}, g.all(), was);
   spread(s, p, {&q}, g.all(), is);
-  spread_passage(s, p, find_passed(s, p), q, g.all(), passed);
+  spread_passage(s, p, q, g.all(), passed);
   double worst = 0, largest = 0;
   for (int k = 0; k < g.cells(2); ++k)
     for (int j = 0; j < g.cells(1); ++j)
@@ -96,7 +96,7 @@ TEST(FluidPassage, NothingPassesWithParticlesThatTheFluidHasNotMet) {
   const FluidRegion region = region_of(g);
   Deposits passed;
   const Spreading s(region, {});
-  spread_passage(s, p, find_passed(s, p), volumes(p), g.all(), passed);
+  spread_passage(s, p, volumes(p), g.all(), passed);
   for (const std::int64_t d : passed.values) EXPECT_EQ(d, 0);
 }
 
@@ -108,7 +108,7 @@ TEST(FluidPassage, SumsDependNeitherOnOrderNorOnThreads) {
   const auto passed = [&](int threads) {
     omp_set_num_threads(threads);
     Deposits out;
-    spread_passage(s, p, find_passed(s, p), volumes(p), g.all(), out);
+    spread_passage(s, p, volumes(p), g.all(), out);
     return out.values;
   };
   const auto one = passed(1);

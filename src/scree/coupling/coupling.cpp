@@ -81,14 +81,11 @@ void read_component(const Mesh& m, const Deposits& sums, int component, double s
 
 namespace {
 
-/// What has passed the faces of the cells: with the particles, and by what spreads and relieves them further, as much
-/// as that has changed since the last step.
-void load_passed(FluidCoupling& c, const Particles& p, const std::vector<std::uint8_t>& known, const Exchanged& x,
-                 const Field& old_levels, const Field& old_surpluses) {
+/// What has passed the faces of the cells: with the particles, which `sums` says, and by what spreads and relieves them
+/// further, as much as that has changed since the last step.
+void load_passed(FluidCoupling& c, const Exchanged& x, const Deposits& sums, const Field& old_levels,
+                 const Field& old_surpluses) {
   const Mesh& m = c.fluid.mesh;
-  Deposits mine;
-  spread_passage(c.spreading, p, known, x.volume, x.box, mine);
-  const Deposits sums = c.exchange.collect(mine);
   Field levels = m.make_field(), surpluses = m.make_field();
   for (std::int64_t at = 0; at < m.size; ++at) {
     levels[at] = c.levels[at] - old_levels[at];
@@ -117,15 +114,17 @@ void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x) {
   x.count = c.fluid.ranks.total(static_cast<std::int64_t>(p.size()));
   x.volume.values.resize(p.size());
   launch(p.size(), [&](std::size_t i) { x.volume.values[i] = volume_of(p, i); });
-  const std::vector<std::uint8_t> known = find_passed(c.spreading, p);
+  x.volume.scale = scale_for(x.volume, x.count, c.fluid.ranks);
+  Deposits mine;
+  const std::vector<std::uint8_t> known = spread_passage(c.spreading, p, x.volume, x.box, mine);
+  const Deposits passed = c.exchange.collect(mine);
   x.motion.values.resize(3 * p.size());
   launch(p.size(), [&](std::size_t i) {
     // Those of whom nothing is known at the faces count for nothing in the cells.
     const double counted = known[i] ? x.volume.values[i] : 0;
     for (int a = 0; a < 3; ++a) x.motion.values[3 * i + a] = counted * p.motion.row(i)[lane::vx + a];
   });
-  for (Quantity* q : {&x.volume, &x.motion}) q->scale = scale_for(*q, x.count, c.fluid.ranks);
-  Deposits mine;
+  x.motion.scale = scale_for(x.motion, x.count, c.fluid.ranks);
   spread(c.spreading, p, {&x.volume, &x.motion}, x.box, mine);
   const Deposits sums = c.exchange.collect(mine);
   for (int a = 0; a < 3; ++a) read_component(m, sums, 1 + a, x.motion.scale, c.amounts[a]);
@@ -135,7 +134,7 @@ void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x) {
   diffuse(c.diffusion, m, c.fluid.ranks, std::span(c.amounts).first(1), std::span(c.densities).first(1), &c.levels);
   Field& solids = c.densities[0];
   const Crowding crowding = relieve_crowding(m, c.fluid.ranks, 1 - c.settings.least_fraction, solids, c.surpluses);
-  load_passed(c, p, known, x, old_levels, old_surpluses);
+  load_passed(c, x, passed, old_levels, old_surpluses);
   c.books.crowded += static_cast<double>(crowding.cells);
   c.books.least_fraction = 1 - crowding.densest;
   for_each_row(m, [&](int j, int k) {

@@ -17,9 +17,11 @@ inline std::int64_t whole(double x) {
   return std::bit_cast<std::int64_t>(x + magic) - std::bit_cast<std::int64_t>(magic);
 }
 
+constexpr std::size_t most_points = 8;
+
 /// The points that stand for a body.
 struct BodyPoints {
-  std::array<sc_vec, 8> at;
+  std::array<sc_vec, most_points> at;
   int count = 1;
 
   double part() const { return 1.0 / count; }

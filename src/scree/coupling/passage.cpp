@@ -82,38 +82,30 @@ bool find_ways(const Spreading& s, sc_vec from, sc_vec to, Ways& ways) {
          find_way(s.axis[2], from.z, to.z, ways[2]) && !beside_blocked(s, ways);
 }
 
-void spread_one(const Spreading& s, const Particles& p, const Quantity& volume, std::size_t i, Deposits& out) {
-  Ways ways;
+/// False if what particle i has carried is not known. `ways` is room for those of its points.
+bool spread_one(const Spreading& s, const Particles& p, const Quantity& volume, std::size_t i,
+                std::array<Ways, most_points>& ways, Deposits& out) {
+  if (p.met_at.row(i)[3] == 0) return false;
   const BodyPoints from = points_before(s, p, i), to = points_of(s, p, i);
+  for (int n = 0; n < to.count; ++n)
+    if (!find_ways(s, from.at[n], to.at[n], ways[n])) return false;
   const double amount = volume.values[i] * volume.scale * to.part();
-  for (int n = 0; n < to.count; ++n) {
-    find_ways(s, from.at[n], to.at[n], ways);
-    for (int a = 0; a < 3; ++a) deposit_axis(ways, a, amount, out);
-  }
+  for (int n = 0; n < to.count; ++n)
+    for (int a = 0; a < 3; ++a) deposit_axis(ways[n], a, amount, out);
+  return true;
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> find_passed(const Spreading& s, const Particles& p) {
+std::vector<std::uint8_t> spread_passage(const Spreading& s, const Particles& p, const Quantity& volume,
+                                         const CellBox& box, Deposits& out) {
   std::vector<std::uint8_t> known(p.size());
-  launch(p.size(), [&](std::size_t i) {
-    if (p.met_at.row(i)[3] == 0) return;
-    const BodyPoints from = points_before(s, p, i), to = points_of(s, p, i);
-    Ways ways;
-    bool all = true;
-    for (int n = 0; n < to.count; ++n) all = all && find_ways(s, from.at[n], to.at[n], ways);
-    known[i] = all;
-  });
-  return known;
-}
-
-void spread_passage(const Spreading& s, const Particles& p, const std::vector<std::uint8_t>& known,
-                    const Quantity& volume, const CellBox& box, Deposits& out) {
   out.shape(box, 3);
   in_parts(p.size(), out, [&](std::size_t begin, std::size_t end, Deposits& sums) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (known[i]) spread_one(s, p, volume, i, sums);
+    std::array<Ways, most_points> ways;
+    for (std::size_t i = begin; i < end; ++i) known[i] = spread_one(s, p, volume, i, ways, sums);
   });
+  return known;
 }
 
 void note_meeting(Particles& p) {

@@ -6,16 +6,12 @@
 
 namespace scree {
 
-/// For each particle whether what it has carried through faces since the fluid's last step is known. Not so for one
-/// that the fluid has not met before, that has leapt over more cells than it touches, or that is beside cells without
-/// fluid.
-std::vector<std::uint8_t> find_passed(const Spreading& spreading, const Particles& particles);
-
 /// Shares out what has passed the lower faces of the cells along x, y, z since the fluid's last step, of `volume`. In
-/// the direction of the axes it counts positive. Particles of whom it is not `known` have passed nothing: their
-/// volume goes and comes.
-void spread_passage(const Spreading& spreading, const Particles& particles, const std::vector<std::uint8_t>& known,
-                    const Quantity& volume, const CellBox& box, Deposits& out);
+/// the direction of the axes it counts positive. Returns for each particle whether that is known: not of one that the
+/// fluid has not met before, that has leapt over more cells than it touches, or that is beside cells without fluid.
+/// They have passed nothing: their volume goes and comes.
+std::vector<std::uint8_t> spread_passage(const Spreading& spreading, const Particles& particles, const Quantity& volume,
+                                         const CellBox& box, Deposits& out);
 
 /// Notes where the fluid has met the particles.
 void note_meeting(Particles& particles);

@@ -16,7 +16,8 @@ constexpr int bits_of_all = 61;  // of the sum
 struct PointCells {
   std::array<std::int64_t, 27> offset;
   std::array<double, 27> weight;
-  int heaviest = 0;
+
+  int heaviest() const { return static_cast<int>(std::ranges::max_element(weight) - weight.begin()); }
 };
 
 /// Leaves out cells that are no fluid; the others share what is left. False if there are none.
@@ -51,14 +52,12 @@ bool find_cells(const Spreading& s, const Patch<T>& patch, sc_vec x, PointCells&
         p.weight[at] = w * a[0].share[i];
       }
     }
-  if (!s.blocked.empty() && !leave_out_blocked(s, a, p)) return false;
-  p.heaviest = static_cast<int>(std::max_element(p.weight.begin(), p.weight.end()) - p.weight.begin());
-  return true;
+  return s.blocked.empty() || leave_out_blocked(s, a, p);
 }
 
 /// One particle's deposits of one quantity.
 template <int Components>
-void deposit(const PointCells& at, const double* value, double scale, int width, std::int64_t* to) {
+void deposit(const PointCells& at, int heaviest, const double* value, double scale, int width, std::int64_t* to) {
   double q[Components];
   std::int64_t rest[Components];
   for (int c = 0; c < Components; ++c) {
@@ -73,7 +72,7 @@ void deposit(const PointCells& at, const double* value, double scale, int width,
       rest[c] -= part;
     }
   }
-  std::int64_t* cell = to + at.offset[at.heaviest] * width;
+  std::int64_t* cell = to + at.offset[heaviest] * width;
   for (int c = 0; c < Components; ++c) cell[c] += rest[c];
 }
 
@@ -83,13 +82,14 @@ void spread_some(const Spreading& s, const Particles& p, const std::vector<const
   for (std::size_t i = begin; i < end; ++i)
     for_each_point(s, p, i, [&](sc_vec x, double part) {
       if (!find_cells(s, out, x, cells)) return;
+      const int heaviest = cells.heaviest();
       std::int64_t* to = out.values.data();
       for (const Quantity* q : quantities) {
         const double* value = &q->values[i * static_cast<std::size_t>(q->components)];
         if (q->components == 1)
-          deposit<1>(cells, value, part * q->scale, out.width, to);
+          deposit<1>(cells, heaviest, value, part * q->scale, out.width, to);
         else
-          deposit<3>(cells, value, part * q->scale, out.width, to);
+          deposit<3>(cells, heaviest, value, part * q->scale, out.width, to);
         to += q->components;
       }
     });
