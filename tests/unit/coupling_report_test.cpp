@@ -74,6 +74,16 @@ TEST(CouplingReport, NamesStepsThatShakeABedInALiquid) {
   EXPECT_TRUE(std::isinf(longest_step_in_bed(c, derive(c).kinds, contact)));
 }
 
+/// An inlet that becomes faster sets the step of the fluid by what it gives in the end.
+TEST(CouplingReport, StepsAreShortEnoughForWhatTheInletWillGive) {
+  const auto subcycles = [](const std::string& speed) {
+    const Case c = bed("[8, 16, 8]", "", speed);
+    return build_coupling_settings(c, derive(c).kinds, derive(c).step).subcycles;
+  };
+  EXPECT_EQ(subcycles("2 * t"), subcycles("2"));
+  EXPECT_LT(subcycles("2"), subcycles("0.5"));
+}
+
 TEST(CouplingReport, NamesSpeedsThatTheLawWasNotMeasuredAt) {
   // 0.3 m/s over a void fraction of 0.4 make a Reynolds number of 1.2 * 0.3 * 0.002 / 1.8e-5 = 40.
   EXPECT_EQ(remedies(bed("[8, 16, 8]", "subcycles = 10\ndrag = \"beetstra\"\n")), "");

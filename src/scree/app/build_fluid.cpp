@@ -155,23 +155,27 @@ FluidSettings build_fluid_settings(const Case& c) {
 }
 
 double given_speed(const Case& c, const FluidRegion& r) {
+  constexpr int instants = 256;
   double fastest = 0;
   const FluidSettings s = build_fluid_settings(c);
+  const auto speed = [&](std::size_t patch, const std::array<double, 3>& x, double time) {
+    double square = 0;
+    for (const PlaceFormula& component : s.patches[patch].velocity)
+      if (component) square += std::pow(component(x, time), 2);
+    return std::sqrt(square);
+  };
   for (std::size_t p = 0; p < r.patches.size(); ++p) {
     const CellBox& box = r.patches[p].cells;
     for (const CellBox& cell : {CellBox{box.low, box.low}, CellBox{box.high, box.high}}) {
       std::array<double, 3> x{}, middle{};
-      double at_corner = 0, at_middle = 0;
       for (int a = 0; a < 3; ++a) {
         x[a] = r.grid.faces[a][cell.low[a]];
         middle[a] = 0.5 * (r.grid.faces[a][box.low[a]] + r.grid.faces[a][box.high[a]]);
       }
-      for (int a = 0; a < 3; ++a)
-        if (s.patches[p].velocity[a]) {
-          at_corner += std::pow(s.patches[p].velocity[a](x, 0), 2);
-          at_middle += std::pow(s.patches[p].velocity[a](middle, 0), 2);
-        }
-      fastest = std::max({fastest, std::sqrt(at_corner), std::sqrt(at_middle)});
+      for (int i = 0; i <= instants; ++i) {
+        const double time = c.simulation.end * i / instants;
+        fastest = std::max({fastest, speed(p, x, time), speed(p, middle, time)});
+      }
     }
   }
   return fastest;

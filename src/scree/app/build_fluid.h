@@ -21,7 +21,7 @@ std::array<PlaceFormula, 3> place_formulas(const Expression3& text);
 /// A formula of x, y, z and t; empty where the text is that number.
 PlaceFormula place_formula(const std::string& text, double nothing);
 
-/// The fastest speed that the boundary gives, at the beginning [m/s].
+/// The fastest speed that the boundary gives during the run [m/s].
 double given_speed(const Case& c, const FluidRegion& region);
 
 }  // namespace scree
