@@ -4,7 +4,7 @@
 Only the standard library is used. Each block names the case that quotes its numbers and the equation behind them.
 """
 
-from math import atan2, cos, exp, log, pi, sin, sqrt
+from math import atan2, cos, exp, log, pi, prod, sin, sqrt
 
 
 def bisect(function, low, high):
@@ -200,6 +200,24 @@ def bonded_sphere_restitution():
     print(f"     as a speed {sqrt(2 * lost / mass):.9f} m/s, Thornton and Ning {thornton:.9f} m/s")
 
 
+def resistances_of_ellipsoids():
+    """Cases 47, 48 and 83: Oberbeck 1876, resistance along each half axis over that of the sphere of equal volume.
+
+    K_i = 16 pi mu / (chi + alpha_i a_i^2), chi = int dl/D, alpha_i = int dl/((a_i^2 + l) D), l from 0 on,
+    D = sqrt((a^2 + l)(b^2 + l)(c^2 + l)); the trapezoidal rule in the logarithm of l.
+    """
+    for axes in ((2.0, 1.0, 1.0), (3.0, 2.0, 1.0)):
+        low, high, n = -60.0, 100.0, 16000
+        chi, alpha = 0.0, [0.0, 0.0, 0.0]
+        for k in range(n + 1):
+            shift = exp(low + (high - low) * k / n)
+            weight = shift * (high - low) / n / sqrt(prod(a**2 + shift for a in axes))
+            chi += weight
+            alpha = [total + weight / (a**2 + shift) for total, a in zip(alpha, axes)]
+        radius = prod(axes) ** (1 / 3)
+        print(f"ellipsoid {axes}:", *(f"{8 / (3 * radius * (chi + s * a**2)):.10f}" for s, a in zip(alpha, axes)))
+
+
 if __name__ == "__main__":
     cohesive_collision()
     sticking_threshold()
@@ -207,3 +225,4 @@ if __name__ == "__main__":
     settling()
     oblique_impacts()
     bonded_sphere_restitution()
+    resistances_of_ellipsoids()
