@@ -28,6 +28,7 @@ double volume_of(const Particles& p, std::size_t i) {
 /// What the particles say to the fluid in a step, and what is known of them on the way.
 struct Exchanged {
   Quantity volume{{}, 1, 1}, motion{{}, 3, 1}, drag{{}, 1, 1}, push{{}, 3, 1}, surplus{{}, 3, 1};
+  Quantity stream{{}, 3, 1};   // drag times the velocity of the fluid that each meets at the start of the step
   std::vector<double> kappa;   // of each particle [kg/s]
   std::vector<double> lift;    // of each particle, three numbers: forces that go with the slip as drag does [N]
   std::vector<double> rubbed;  // the same, by friction within the fluid [N]
@@ -195,6 +196,7 @@ void find_drag(FluidCoupling& c, Particles& p, Exchanged& x) {
   x.rubbed.resize(3 * p.size());
   x.drag.values.resize(p.size());
   x.push.values.resize(3 * p.size());
+  x.stream.values.resize(3 * p.size());
   launch(p.size(), [&](std::size_t i) {
     const double* v = p.motion.row(i) + lane::vx;
     const FluidThere there = stream_there(c, fields, &met[width * i]);
@@ -212,8 +214,48 @@ void find_drag(FluidCoupling& c, Particles& p, Exchanged& x) {
     const bool held = p.motion.row(i)[lane::inverse_mass] == 0;
     share = held ? 1 : std::clamp(share, sc_phi1(x.kappa[i] / heavy * c.settings.fluid_step()), 1.0);
     x.drag.values[i] = share * x.kappa[i];
-    for (int a = 0; a < 3; ++a)
+    for (int a = 0; a < 3; ++a) {
       x.push.values[3 * i + a] = x.drag.values[i] * v[a] - share * x.lift[3 * i + a] - x.rubbed[3 * i + a];
+      x.stream.values[3 * i + a] = x.drag.values[i] * met[width * i + a];
+    }
+  });
+}
+
+/// The drag in the cells; and the velocity of each at the start of the step beyond the mean of what the particles in it
+/// meet, by their drag.
+VectorField load_drag(FluidCoupling& c, const Particles& p, Exchanged& x) {
+  const Mesh& m = c.fluid.mesh;
+  const Ranks& ranks = c.fluid.ranks;
+  for (Quantity* q : {&x.drag, &x.stream}) q->scale = scale_for(*q, x.count, ranks);
+  Deposits mine;
+  spread(c.spreading, p, {&x.drag, &x.stream}, x.box, mine);
+  const Deposits sums = c.exchange.collect(mine);
+  Field& drag = c.fluid.load.drag;
+  read_component(m, sums, 0, x.drag.scale, c.amounts[0]);
+  diffuse(c.diffusion, m, ranks, std::span(c.amounts).first(1), {&drag, 1});
+  for (int a = 0; a < 3; ++a) read_component(m, sums, 1 + a, x.stream.scale, c.amounts[a]);
+  diffuse(c.diffusion, m, ranks, c.amounts, c.densities);
+  double most = 0;
+  for (const double k : drag) most = std::max(most, k);
+  // What diffusion leaves far from all particles is rounding.
+  const double least = 1e-13 * ranks.largest(most);
+  VectorField beyond = m.make_vector();
+  for (int a = 0; a < 3; ++a)
+    for_each_row(m, [&](int j, int k) {
+      for (int i = 0; i < m.n[0]; ++i) {
+        const std::int64_t at = m.index(i, j, k);
+        if (drag[at] > least) beyond[a][at] = c.fluid.state.velocity[a][at] - c.densities[a][at] / drag[at];
+      }
+    });
+  return beyond;
+}
+
+/// Drag pulls each cell to the mean of what its particles meet: where they follow the fluid, a friction that the fluid
+/// has not. What of it they can see through their weights is given back; nothing in all, as the mean is by drag.
+void give_back_friction(FluidCoupling& c, const Particles& p, const VectorField& beyond, Exchanged& x) {
+  const std::vector<double> met = meet(c, p, x.box, {&beyond}, false);
+  launch(p.size(), [&](std::size_t i) {
+    for (int a = 0; a < 3; ++a) x.push.values[3 * i + a] += x.drag.values[i] * met[3 * i + a];
   });
 }
 
@@ -221,18 +263,18 @@ void find_drag(FluidCoupling& c, Particles& p, Exchanged& x) {
 void load_fluid(FluidCoupling& c, const Particles& p, Exchanged& x) {
   const Mesh& m = c.fluid.mesh;
   const Ranks& ranks = c.fluid.ranks;
-  for (Quantity* q : {&x.drag, &x.push, &x.surplus}) q->scale = scale_for(*q, x.count, ranks);
-  Deposits mine;
-  spread(c.spreading, p, {&x.drag, &x.push, &x.surplus}, x.box, mine);
-  const Deposits sums = c.exchange.collect(mine);
   FluidLoad& load = c.fluid.load;
-  read_component(m, sums, 0, x.drag.scale, c.amounts[0]);
-  diffuse(c.diffusion, m, ranks, std::span(c.amounts).first(1), {&load.drag, 1});
+  const VectorField beyond = load_drag(c, p, x);
+  give_back_friction(c, p, beyond, x);
+  for (Quantity* q : {&x.push, &x.surplus}) q->scale = scale_for(*q, x.count, ranks);
+  Deposits mine;
+  spread(c.spreading, p, {&x.push, &x.surplus}, x.box, mine);
+  const Deposits sums = c.exchange.collect(mine);
   const double per_dt = 1 / c.settings.fluid_step();
   Field surplus = m.make_field();
   for (int a = 0; a < 3; ++a) {
-    read_component(m, sums, 1 + a, x.push.scale, c.amounts[a]);
-    read_component(m, sums, 4 + a, x.surplus.scale, surplus);
+    read_component(m, sums, a, x.push.scale, c.amounts[a]);
+    read_component(m, sums, 3 + a, x.surplus.scale, surplus);
     for (std::int64_t at = 0; at < m.size; ++at) c.amounts[a][at] -= per_dt * (surplus[at] + c.returned[a][at]);
     for (const double back : c.returned[a]) x.returned[a] += back;
     std::fill(c.returned[a].begin(), c.returned[a].end(), 0.0);
