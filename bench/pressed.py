@@ -2,7 +2,7 @@
 """The packed beds of `scree bench`, pressed together until vertices find their contacts. usage: pressed.py PROGRAM DIRECTORY
 
 PROGRAM is scree. Makes DIRECTORY/NAME.csv of ellipsoids, cylinders and boxes: the beds of the bench, settled with certified
-contacts under 2000 times the gravity of the earth, which presses them with some 200 kPa in the middle of their height. What is
+contacts under 200 times the gravity of the earth, which presses them with some 20 kPa in the middle of their height. What is
 there is left as it is. Then measures them by 20 x 20 vertices, under that weight, on one thread.
 """
 
@@ -16,9 +16,9 @@ import h5py
 HERE = pathlib.Path(__file__).parent
 EXPONENTS = {"ellipsoids": "[1, 1]", "cylinders": "[0.25, 1]", "boxes": "[0.25, 0.25]"}
 SPACING = {"ellipsoids": "linear", "cylinders": "mixed", "boxes": "mixed"}
-HEAVY = ["gravity.acceleration=[0, 0, -19620]", "simulation.max_overlap=2", "simulation.time_step=2e-6"]
+HEAVY = ["gravity.acceleration=[0, 0, -1962]", "simulation.max_overlap=2", "simulation.time_step=2e-6"]
 # A drag takes the motion out, and lets the bed give way slowly.
-SETTLING = ["simulation.end=0.03", "flow.type=still", "flow.drag=stokes", "flow.viscosity=10", "flow.density=1", "output.frames=0.03"]
+SETTLING = ["simulation.end=0.03", "flow.type=still", "flow.drag=stokes", "flow.viscosity=5", "flow.density=1", "output.frames=0.03"]
 
 
 def settings(changes):
