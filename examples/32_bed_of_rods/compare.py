@@ -112,7 +112,7 @@ def draw(runs, picture):
     figure, (left, middle, right) = plt.subplots(1, 3, figsize=(11.5, 3.8), layout="constrained")
     for name, run in runs.items():
         for branch, style, how in ((run.falling, "-", "slower and slower"), (run.rising, "--", "faster again")):
-            if branch.stop - branch.start < 2:
+            if np.isnan(run.minimum_fluidisation(branch)):
                 continue
             left.plot(run.air[branch], run.drop[branch], style, color=colours[name], lw=1.1,
                       label=f"{name}, air {how}")
