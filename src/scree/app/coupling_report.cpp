@@ -9,6 +9,7 @@
 
 #include "scree/app/build_coupling.h"
 #include "scree/app/build_fluid.h"
+#include "scree/app/fluid_report.h"
 #include "scree/app/models.h"
 #include "scree/data/form_surface.h"
 #include "scree/particles/sizes.h"
@@ -163,6 +164,15 @@ std::vector<CouplingNote> coupling_notes(const Case& c, const Derived& derived) 
        few ? "two cells across the domain show hardly anything of the flow there; one or at least three" : ""});
   notes.push_back({"time step of the fluid", fmt::format("{:.4g} s, {} of the particles'", s.fluid_step(), s.subcycles),
                    slow_in_bed(c, derived, s)});
+  const double speed = given_speed(c, region) / expected_voidage(derived);
+  if (speed > 0 && std::isfinite(least)) {
+    const double courant = speed * s.fluid_step() / least;
+    const double reynolds = c.fluid.density * speed * least / c.fluid.viscosity;
+    notes.push_back({"",
+                     fmt::format("Courant number {:.2g}, Reynolds number of a cell {:.3g}, at {:.3g} m/s", courant,
+                                 reynolds, speed),
+                     growing_waves(c, courant, reynolds)});
+  }
   double largest = 0;
   for (const BodyKind& kind : derived.kinds) largest = std::max(largest, kind.largest);
   if (std::isfinite(least) && largest > 0)

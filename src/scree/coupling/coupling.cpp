@@ -6,6 +6,7 @@
 
 #include "scree/base/exact_sum.h"
 #include "scree/compute/launch.h"
+#include "scree/coupling/beyond_mean.h"
 #include "scree/coupling/crowding.h"
 #include "scree/coupling/forces.h"
 #include "scree/coupling/heat.h"
@@ -221,51 +222,16 @@ void find_drag(FluidCoupling& c, Particles& p, Exchanged& x) {
   });
 }
 
-/// The drag in the cells; and the velocity of each at the start of the step beyond the mean of what the particles in it
-/// meet, by their drag.
-VectorField load_drag(FluidCoupling& c, const Particles& p, Exchanged& x) {
-  const Mesh& m = c.fluid.mesh;
-  const Ranks& ranks = c.fluid.ranks;
-  for (Quantity* q : {&x.drag, &x.stream}) q->scale = scale_for(*q, x.count, ranks);
-  Deposits mine;
-  spread(c.spreading, p, {&x.drag, &x.stream}, x.box, mine);
-  const Deposits sums = c.exchange.collect(mine);
-  Field& drag = c.fluid.load.drag;
-  read_component(m, sums, 0, x.drag.scale, c.amounts[0]);
-  diffuse(c.diffusion, m, ranks, std::span(c.amounts).first(1), {&drag, 1});
-  for (int a = 0; a < 3; ++a) read_component(m, sums, 1 + a, x.stream.scale, c.amounts[a]);
-  diffuse(c.diffusion, m, ranks, c.amounts, c.densities);
-  double most = 0;
-  for (const double k : drag) most = std::max(most, k);
-  // What diffusion leaves far from all particles is rounding.
-  const double least = 1e-13 * ranks.largest(most);
-  VectorField beyond = m.make_vector();
-  for (int a = 0; a < 3; ++a)
-    for_each_row(m, [&](int j, int k) {
-      for (int i = 0; i < m.n[0]; ++i) {
-        const std::int64_t at = m.index(i, j, k);
-        if (drag[at] > least) beyond[a][at] = c.fluid.state.velocity[a][at] - c.densities[a][at] / drag[at];
-      }
-    });
-  return beyond;
-}
-
-/// Drag pulls each cell to the mean of what its particles meet: where they follow the fluid, a friction that the fluid
-/// has not. What of it they can see through their weights is given back; nothing in all, as the mean is by drag.
-void give_back_friction(FluidCoupling& c, const Particles& p, const VectorField& beyond, Exchanged& x) {
-  const std::vector<double> met = meet(c, p, x.box, {&beyond}, false);
-  launch(p.size(), [&](std::size_t i) {
-    for (int a = 0; a < 3; ++a) x.push.values[3 * i + a] += x.drag.values[i] * met[3 * i + a];
-  });
-}
-
 /// Drag, and what pushes, in the cells of the fluid.
 void load_fluid(FluidCoupling& c, const Particles& p, Exchanged& x) {
   const Mesh& m = c.fluid.mesh;
   const Ranks& ranks = c.fluid.ranks;
   FluidLoad& load = c.fluid.load;
-  const VectorField beyond = load_drag(c, p, x);
-  give_back_friction(c, p, beyond, x);
+  const std::vector<double> beyond =
+      beyond_mean(c, p, x.box, x.count, x.drag, x.stream, c.fluid.state.velocity, load.drag);
+  launch(p.size(), [&](std::size_t i) {
+    for (int a = 0; a < 3; ++a) x.push.values[3 * i + a] += x.drag.values[i] * beyond[3 * i + a];
+  });
   for (Quantity* q : {&x.push, &x.surplus}) q->scale = scale_for(*q, x.count, ranks);
   Deposits mine;
   spread(c.spreading, p, {&x.push, &x.surplus}, x.box, mine);

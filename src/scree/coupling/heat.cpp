@@ -9,6 +9,7 @@
 #include "scree/base/error.h"
 #include "scree/base/exact_sum.h"
 #include "scree/compute/launch.h"
+#include "scree/coupling/beyond_mean.h"
 #include "scree/fluid/fields.h"
 #include "scree/mpi/together.h"
 #include "scree/physics/heat/nusselt.h"
@@ -67,26 +68,27 @@ HeatPromise load_heat(FluidCoupling& c, const Particles& p, const CellBox& box) 
   if (!exchanges_heat(c)) return out;
   const VectorField kelvin = temperature_vector(c);
   const std::vector<double> met = meet(c, p, box, {&c.fluid.state.velocity, &kelvin}, true);
-  Quantity rate{{}, 1, 1}, push{{}, 1, 1};
+  Quantity rate{{}, 1, 1}, stream{{}, 1, 1}, push{{}, 1, 1};
   rate.values.resize(p.size());
+  stream.values.resize(p.size());
   push.values.resize(p.size());
   launch(p.size(), [&](std::size_t i) {
     const double* heat = p.heat.row(i);
     const double full = conductance(c, p, i, &met[7 * i]);
     // Of its difference a particle has so much in the mean of the step.
     rate.values[i] = full * sc_phi1(full / heat[lane::heat_capacity] * c.settings.fluid_step());
-    push.values[i] = rate.values[i] * heat[lane::temperature];
+    stream.values[i] = rate.values[i] * met[7 * i + 3];
   });
   const std::int64_t count = c.fluid.ranks.total(static_cast<std::int64_t>(p.size()));
-  for (Quantity* q : {&rate, &push}) q->scale = scale_for(*q, count, c.fluid.ranks);
+  FluidLoad& load = c.fluid.load;
+  const std::vector<double> beyond = beyond_mean(c, p, box, count, rate, stream, kelvin, load.heat_rate);
+  launch(p.size(),
+         [&](std::size_t i) { push.values[i] = rate.values[i] * (p.heat.row(i)[lane::temperature] + beyond[3 * i]); });
+  push.scale = scale_for(push, count, c.fluid.ranks);
   Deposits mine;
-  spread(c.spreading, p, {&rate, &push}, box, mine);
-  const Deposits sums = c.exchange.collect(mine);
-  read_component(c.fluid.mesh, sums, 0, rate.scale, c.amounts[0]);
-  read_component(c.fluid.mesh, sums, 1, push.scale, c.amounts[1]);
-  diffuse(c.diffusion, c.fluid.mesh, c.fluid.ranks, std::span(c.amounts).first(2), std::span(c.densities).first(2));
-  std::copy(c.densities[0].begin(), c.densities[0].end(), c.fluid.load.heat_rate.begin());
-  std::copy(c.densities[1].begin(), c.densities[1].end(), c.fluid.load.heat_push.begin());
+  spread(c.spreading, p, {&push}, box, mine);
+  read_component(c.fluid.mesh, c.exchange.collect(mine), 0, push.scale, c.amounts[0]);
+  diffuse(c.diffusion, c.fluid.mesh, c.fluid.ranks, std::span(c.amounts).first(1), {&load.heat_push, 1});
   out.rate = std::move(rate.values);
   return out;
 }

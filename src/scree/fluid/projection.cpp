@@ -261,11 +261,16 @@ double worst_residual(const FluidSolver& s, const Field& b, double dt) {
 }
 
 [[noreturn]] void refuse(const FluidSolver& s, double dt, double missed, const StepReport& report) {
+  const double courant = courant_rate(s) * dt;
   throw PhysicsError(
       fmt::format("the pressure of the fluid was not found at t = {:.9g} s: after {} iterations a cell misses {:.3g} "
-                  "of its volume, "
-                  "asked for is {:.3g}\n  = help: a shorter time step, or a larger fluid.divergence_tolerance",
-                  s.state.time + dt, report.pressure_iterations, missed, s.settings.divergence_tolerance));
+                  "of its volume, asked for is {:.3g}{}",
+                  s.state.time + dt, report.pressure_iterations, missed, s.settings.divergence_tolerance,
+                  courant > 1 ? fmt::format("\n  the flow has burst: it passes {:.3g} cells in a step (Courant "
+                                            "number)\n  = help: a shorter time step, or fluid.convection = "
+                                            "'van_leer' where friction is weak",
+                                            courant)
+                              : "\n  = help: a shorter time step, or a larger fluid.divergence_tolerance"));
 }
 
 }  // namespace
