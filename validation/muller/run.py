@@ -14,7 +14,9 @@ import sys
 CASE = pathlib.Path(__file__).parents[2] / "examples" / "31_muller_bed" / "case.toml"
 # What profiles.py reads: places and velocities every 10 ms.
 COMMON = ["output.frames=0.01", 'output.fields=["velocity"]', "output.precision=single", "output.checkpoints=1"]
-ROUND = ["particles.seeds.shape=superellipsoid", "particles.seeds.half_axes=[0.0006, 0.0006, 0.0006]",
+# Longer by 1e-10 along one axis: what is a sphere to the last bit goes the way of spheres, whatever it is called, and then
+# every bit of the run is theirs.
+ROUND = ["particles.seeds.shape=superellipsoid", "particles.seeds.half_axes=[0.0006, 0.0006, 0.00060000000006]",
          "particles.seeds.exponents=[1, 1]"]
 STIFF = ["materials.poppy.stiffness=800", "simulation.time_step=5e-6"]  # as many steps in a contact
 BY_VERTICES = ["contact.detection=vertices", "contact.vertices=20"]

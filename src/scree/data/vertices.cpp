@@ -114,6 +114,18 @@ std::array<double, 4> sphere_around(std::span<const SurfaceVertex> v) {
   return s;
 }
 
+/// Adds spheres around pieces of so many vertices, eight at a time.
+void add_spheres(std::span<const SurfaceVertex> v, std::size_t piece, Buffer<double>& out) {
+  const std::size_t pieces = (v.size() + piece - 1) / piece, begin = out.size();
+  out.resize(begin + (pieces + 7) / 8 * 32);
+  // Nothing comes near a sphere of less than no radius.
+  for (std::size_t g = begin; g < out.size(); g += 32) std::fill_n(&out[g + 24], 8, -1e300);
+  for (std::size_t b = 0; b < pieces; ++b) {
+    const std::array<double, 4> s = sphere_around(v.subspan(piece * b, std::min(piece, v.size() - piece * b)));
+    for (std::size_t k = 0; k < 4; ++k) out[begin + b / 8 * 32 + 8 * k + b % 8] = s[k];
+  }
+}
+
 }  // namespace
 
 std::vector<SurfaceVertex> surface_vertices(const Form& form, int side, VertexSpacing spacing) {
@@ -138,9 +150,8 @@ VertexBlocks blocks_of(std::vector<SurfaceVertex> vertices) {
   out.blocks = (out.count + 7) / 8;
   vertices.resize(std::size_t{8} * out.blocks, vertices.back());
   out.points.resize(vertices.size() * 6);
-  out.spheres.resize((std::size_t(out.blocks) + 7) / 8 * 32);
-  // Nothing comes near a sphere of less than no radius.
-  for (std::size_t g = 0; g < out.spheres.size(); g += 32) std::fill_n(&out.spheres[g + 24], 8, -1e300);
+  add_spheres(vertices, 8, out.spheres);
+  add_spheres(vertices, 64, out.spheres);
   for (std::size_t b = 0; b < std::size_t(out.blocks); ++b) {
     const std::span block(&vertices[8 * b], 8);
     for (std::size_t l = 0; l < 8; ++l) {
@@ -148,8 +159,6 @@ VertexBlocks blocks_of(std::vector<SurfaceVertex> vertices) {
       const double row[6] = {v.point.x, v.point.y, v.point.z, v.normal.x, v.normal.y, v.normal.z};
       for (std::size_t k = 0; k < 6; ++k) out.points[48 * b + 8 * k + l] = row[k];
     }
-    const std::array<double, 4> s = sphere_around(block);
-    for (std::size_t k = 0; k < 4; ++k) out.spheres[b / 8 * 32 + 8 * k + b % 8] = s[k];
   }
   return out;
 }

@@ -31,7 +31,7 @@ std::vector<SurfaceVertex> surface_vertices(const Form& form, int side, VertexSp
 /// Vertices in blocks of eight close ones. The last block is filled up with copies.
 struct VertexBlocks {
   Buffer<double> points;   // [blocks][6][8]: x y z of the points, x y z of the normals
-  Buffer<double> spheres;  // [blocks, eight at a time][4][8]: x y z of a centre, radius around the points of a block
+  Buffer<double> spheres;  // [eight at a time][4][8]: centre, radius around a block each; then around eight blocks each
   int count = 0, blocks = 0;
 };
 

@@ -37,10 +37,14 @@ struct alignas(64) VertexSigns {
       if (!(of.last >> l & 1)) counts.at[l] = -1;
   const unsigned lanes = not_negative(counts.at);
   if (lanes == 0) return;
+  // Times one or nothing: a choice between two numbers to add is not made lane by lane where there are no masks.
+  alignas(64) double share[8];
+#pragma omp simd
+  for (int l = 0; l < 8; ++l) share[l] = counts.at[l] < 0 ? 0.0 : 1.0;
   const double* p = of.points + std::int64_t{48} * block;
   for (int k = 0; k < 6; ++k) {
 #pragma omp simd
-    for (int l = 0; l < 8; ++l) hits.sum[k][l] += counts.at[l] < 0 ? 0 : p[8 * k + l];
+    for (int l = 0; l < 8; ++l) hits.sum[k][l] += share[l] * p[8 * k + l];
   }
   hits.count += __builtin_popcount(lanes);
   hits.block[hits.blocks] = static_cast<std::int16_t>(block);
@@ -152,25 +156,32 @@ inline VertexCut cut_at(const sc_body_shape& body, const sc_vec& n, double begin
   return (d.x * x + d.y * y) + d.z * z;
 }
 
+/// Which of eight spheres come near another body, which its map and cut tell of: a bit each.
+[[gnu::always_inline]] inline unsigned spheres_near(const double* s, const VertexMap& m, const VertexCut& cut) {
+  VertexSigns near;
+#pragma omp simd
+  for (int l = 0; l < 8; ++l) {
+    const double x = s[l], y = s[8 + l], z = s[16 + l], radius = s[24 + l];
+    double room = along(cut.along, x, y, z) + radius - cut.least;
+    for (int k = 0; k < 3; ++k) {
+      const double past = (1 + m.spread[k] * radius) - SC_FABS(mapped(m, k, x, y, z));
+      room = SC_MIN(room, past);
+    }
+    near.at[l] = room;
+  }
+  return not_negative(near.at);
+}
+
 template <int Kind>
 [[gnu::noinline]] void search_kind(const VertexView& of, const VertexMap& m, const VertexCut& cut, const sc_form& in,
                                    VertexHits& hits) {
-  for (int group = 0; group < of.blocks; group += 8) {
-    const double* s = of.spheres + 4 * group;
-    VertexSigns near;
-#pragma omp simd
-    for (int l = 0; l < 8; ++l) {
-      const double x = s[l], y = s[8 + l], z = s[16 + l], radius = s[24 + l];
-      double room = along(cut.along, x, y, z) + radius - cut.least;
-      for (int k = 0; k < 3; ++k) {
-        const double past = (1 + m.spread[k] * radius) - SC_FABS(mapped(m, k, x, y, z));
-        room = SC_MIN(room, past);
-      }
-      near.at[l] = room;
+  const int all = (of.blocks + 7) / 8;
+  for (int first = 0; first < all; first += 8)
+    for (unsigned groups = spheres_near(of.spheres + 32 * all + 4 * first, m, cut); groups; groups &= groups - 1) {
+      const int block = 8 * (first + __builtin_ctz(groups));
+      for (unsigned bits = spheres_near(of.spheres + 4 * block, m, cut); bits; bits &= bits - 1)
+        search_block<Kind>(of, block + __builtin_ctz(bits), m, in, hits);
     }
-    for (unsigned bits = not_negative(near.at); bits; bits &= bits - 1)
-      search_block<Kind>(of, group + __builtin_ctz(bits), m, in, hits);
-  }
 }
 
 /// Lets `act` have the kind of a body as a constant.
@@ -293,14 +304,19 @@ inline sc_vertices_within within(const sc_body_shape& body, const VertexHits& hi
 /// How far those found reach from the centre of their body along n [m].
 inline double reach_along(const VertexView& of, const sc_body_shape& body, const VertexHits& hits, const sc_vec& n) {
   const sc_vec d = sc_turn_back(body.turn, n);
-  double farthest = -1e300;
+  alignas(64) double far[8];
+  for (int l = 0; l < 8; ++l) far[l] = -1e300;
   for (int b = 0; b < hits.blocks; ++b) {
     const double* p = of.points + std::int64_t{48} * hits.block[b];
-    for (unsigned bits = hits.lanes[b]; bits; bits &= bits - 1) {
-      const int l = __builtin_ctz(bits);
-      farthest = SC_MAX(farthest, along(d, p[l], p[8 + l], p[16 + l]));
+    const int lanes = hits.lanes[b];
+#pragma omp simd
+    for (int l = 0; l < 8; ++l) {
+      const double reach = along(d, p[l], p[8 + l], p[16 + l]);
+      far[l] = (lanes & 1 << l) != 0 && reach > far[l] ? reach : far[l];
     }
   }
+  double farthest = far[0];
+  for (int l = 1; l < 8; ++l) farthest = SC_MAX(farthest, far[l]);
   return body.radius * farthest;
 }
 
