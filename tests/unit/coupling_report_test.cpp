@@ -71,6 +71,10 @@ TEST(CouplingReport, NamesStepsThatShakeABedInALiquid) {
   c.coupling.subcycles = 0;
   EXPECT_EQ(build_coupling_settings(c, derive(c).kinds, derive(c).step).subcycles,
             static_cast<int>(contact / 12 / 1e-5));
+  c.materials[0].density = 1500;
+  EXPECT_TRUE(has(remedies(c), "light particles"));
+  c.materials[0].density = 2500;
+  EXPECT_FALSE(has(remedies(c), "light particles"));
   c.fluid.density = 1.2;
   EXPECT_TRUE(std::isinf(longest_step_in_bed(c, derive(c).kinds, contact)));
 }

@@ -36,13 +36,16 @@ double fluid_step(const Case& c, const FluidRegion& region, const std::vector<Bo
 
 }  // namespace
 
-double longest_step_in_bed(const Case& c, const std::vector<BodyKind>& kinds, double contact_time) {
-  constexpr double sluggish = 0.07;  // inertia of the fluid that makes way for packed particles, over their own
-  constexpr double answered = 1.0 / 12;
+double inertia_of_way(const Case& c, const std::vector<BodyKind>& kinds) {
   double heaviness = 0;
   for (const BodyKind& kind : kinds)
     if (kind.free) heaviness = std::max(heaviness, c.fluid.density / kind.density);
-  return (1 - dense) / dense * heaviness > sluggish ? answered * contact_time : INFINITY;
+  return (1 - dense) / dense * heaviness;
+}
+
+double longest_step_in_bed(const Case& c, const std::vector<BodyKind>& kinds, double contact_time) {
+  constexpr double sluggish = 0.07, answered = 1.0 / 12;
+  return inertia_of_way(c, kinds) > sluggish ? answered * contact_time : INFINITY;
 }
 
 CouplingSettings build_coupling_settings(const Case& c, const std::vector<BodyKind>& kinds, const DerivedStep& step) {

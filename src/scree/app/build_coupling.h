@@ -13,11 +13,13 @@ namespace scree {
 /// Settings of the coupling, for the steps of the particles.
 CouplingSettings build_coupling_settings(const Case& c, const std::vector<BodyKind>& kinds, const DerivedStep& step);
 
+/// Inertia of the fluid that makes way for packed particles, (1 - e) / e times its density, over that of the lightest.
+double inertia_of_way(const Case& c, const std::vector<BodyKind>& kinds);
+
 /// The longest step of the fluid [s] at which particles that press on each other in it come to rest; infinite in gases
 /// and for hard collisions. A packed bed swings on its contacts. Where it moves by that, the fluid has to make way, and
-/// its pressure answers a step later: where a = (1 - e) / e times the density of the fluid over that of the lightest
-/// particles is above 0.07, steps longer than a tenth of a contact feed the swing
-/// (docs/decisions/0022-coupling.md).
+/// its pressure answers a step later: where inertia_of_way() is above 0.07, steps longer than a tenth of a contact feed
+/// the swing (docs/decisions/0022-coupling.md).
 double longest_step_in_bed(const Case& c, const std::vector<BodyKind>& kinds, double contact_time);
 
 /// The settings of a fluid with particles in it.
