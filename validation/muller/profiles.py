@@ -236,7 +236,7 @@ def main():
     if options.picture:
         draw(found, options.picture)
     if options.maps:
-        draw_maps(label, first[0], options.start, options.maps)
+        draw_maps(label if len(first) == 1 else f"{label}, the first of them", first[0], options.start, options.maps)
 
 
 if __name__ == "__main__":
