@@ -218,6 +218,22 @@ def resistances_of_ellipsoids():
         print(f"ellipsoid {axes}:", *(f"{8 / (3 * radius * (chi + s * a**2)):.10f}" for s, a in zip(alpha, axes)))
 
 
+def front_of_warmth():
+    """90: Schumann 1929, J(x, y) = 1 - e^-y integral of e^-s I0(2 sqrt(y s)) over s from 0 to x, by Simpson's rule."""
+
+    def bessel(z):
+        """e^-z I0(z), the mean of e^(z (cos(t) - 1)) over a period."""
+        return sum(exp(z * (cos(2 * pi * k / 200) - 1)) for k in range(200)) / 200
+
+    prandtl = 1.8e-5 * 1005 / 0.026
+    transfer = (2 + 0.6 * sqrt(1.2 * 5 * 0.002 / 1.8e-5) * prandtl ** (1 / 3)) * 0.026 / 0.002**2 * pi
+    x, n = transfer * 0.192 / (1.2 * 5 * 1005), 2000
+    for y in (6, 8, 10, 12):
+        values = [exp(2 * sqrt(y * s) - y - s) * bessel(2 * sqrt(y * s)) for s in (x * k / n for k in range(n + 1))]
+        integral = x / n / 3 * (values[0] + 4 * sum(values[1:-1:2]) + 2 * sum(values[2:-1:2]) + values[-1])
+        print(f"front of warmth: x = {x:.5f} y = {y} J = {1 - integral:.6f}")
+
+
 if __name__ == "__main__":
     cohesive_collision()
     sticking_threshold()
@@ -226,3 +242,4 @@ if __name__ == "__main__":
     oblique_impacts()
     bonded_sphere_restitution()
     resistances_of_ellipsoids()
+    front_of_warmth()

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "support/coupled_cloud.h"
+#include "support/fine_dust.h"
 #include "support/foreign_leaks.h"
 
 namespace scree {
@@ -149,50 +150,13 @@ TEST(FluidCoupling, ASphereSinksWithStokesVelocity) {
 /// Particles that follow the fluid make it heavier and leave it its viscosity, though they meet only means over cells:
 /// a wave of shear, 16 cells long, fades as one of that fluid does.
 TEST(FluidCoupling, FineParticlesLeaveAShearWaveItsViscosity) {
-  Simulation s(case_of(R"toml(
-[simulation]
-end = 10
-time_step = 2e-3
-[domain]
-min = [0, 0, 0]
-max = [0.001, 0.001, 0.016]
-periodic = [true, true, true]
-[contact]
-normal = "linear"
-[[materials]]
-name = "dust"
-density = 2500
-stiffness = 1e-9
-[[particles]]
-material = "dust"
-diameter = 1.25e-4
-insert = "lattice"
-spacing = 5e-4
-[fluid]
-type = "incompressible"
-density = 1000
-viscosity = 1e-3
-cells = [1, 1, 16]
-velocity = ["1e-3 * sin(125 * pi * z)", "0", "0"]
-[coupling]
-drag = "stokes"
-subcycles = 1
-)toml"),
-               1);
-  const auto height = [&] {
-    const FluidSolver& f = s.coupling()->fluid;
-    double sum = 0;
-    for (int k = 0; k < 16; ++k)
-      sum += f.state.velocity[0][f.mesh.index(0, 0, k)] * std::sin(std::numbers::pi / 8 * (k + 0.5));
-    return sum / 8;
-  };
-  while (s.clock().now() < 0.1) s.step();  // until the particles follow
-  const double before = height();
-  while (s.clock().now() < 3.1) s.step();
-  const double phi = std::numbers::pi / 6 * std::pow(0.25, 3), k = 125 * std::numbers::pi;
+  Simulation s(
+      case_of(dust::column("", "", R"x(velocity = ["1e-3 * sin(125 * pi * z)", "0", "0"])x", "drag = \"stokes\"")), 1);
+  const double found = dust::fading(s, [&]() -> const Field& { return s.coupling()->fluid.state.velocity[0]; });
+  const double phi = dust::solids, k = dust::wave_number;
   const double rate = (1 - phi) * 1e-3 * k * k / (1000 * (1 - phi) + 2500 * phi);
   // The cells and what the weights see only after two smoothings leave a tenth.
-  EXPECT_NEAR(std::log(before / height()) / 3 / rate, 1, 0.15);
+  EXPECT_NEAR(found / rate, 1, 0.15);
 }
 
 /// A particle that crosses cells pushes the fluid about, no more for shorter steps: largest pressure against the step.

@@ -10,6 +10,7 @@
 #include "scree/base/error.h"
 #include "scree/input/load.h"
 #include "scree/physics/heat/nusselt.h"
+#include "support/fine_dust.h"
 #include "support/foreign_leaks.h"
 
 namespace scree {
@@ -220,57 +221,18 @@ TEST(ParticleHeat, AStreamTakesHeatByItsReynoldsAndPrandtlNumbers) {
 /// Particles that take the temperature of the fluid make it slower to warm and leave it its conductivity, though they
 /// meet only means over cells: a wave of warmth, 16 cells long, fades as one of that fluid does.
 TEST(ParticleHeat, FineParticlesLeaveAWaveOfWarmthItsConductivity) {
-  Simulation s = simulate(R"toml(
-[simulation]
-end = 10
-time_step = 2e-3
-[domain]
-min = [0, 0, 0]
-max = [0.001, 0.001, 0.016]
-periodic = [true, true, true]
-[contact]
-normal = "linear"
-[[materials]]
-name = "dust"
-density = 2500
-stiffness = 1e-9
-heat_capacity = 800
-conductivity = 1
-[heat]
-type = "solved"
-exchange = "ranz_marshall"
-[[particles]]
-material = "dust"
-diameter = 1.25e-4
-insert = "lattice"
-spacing = 5e-4
-temperature = 300
-[fluid]
-type = "incompressible"
-density = 1000
-viscosity = 1e-3
-cells = [1, 1, 16]
+  Simulation s = simulate(dust::column("heat_capacity = 800\nconductivity = 1", "temperature = 300", R"x(
 [fluid.heat]
 type = "solved"
 heat_capacity = 4000
 conductivity = 4
 temperature = "300 + sin(125 * pi * z)"
-[coupling]
-drag = "none"
-subcycles = 1
-)toml");
-  const auto height = [&] {
-    const FluidSolver& f = s.coupling()->fluid;
-    double sum = 0;
-    for (int k = 0; k < 16; ++k) sum += f.state.scalars[0].value[f.mesh.index(0, 0, k)] * std::sin(pi / 8 * (k + 0.5));
-    return sum / 8;
-  };
-  while (s.clock().now() < 0.1) s.step();  // until the particles have the temperature of the fluid
-  const double before = height();
-  while (s.clock().now() < 3.1) s.step();
-  const double phi = pi / 6 * std::pow(0.25, 3), k = 125 * pi;
+)x",
+                                       "drag = \"none\"", "[heat]\ntype = \"solved\"\nexchange = \"ranz_marshall\"\n"));
+  const double found = dust::fading(s, [&]() -> const Field& { return s.coupling()->fluid.state.scalars[0].value; });
+  const double phi = dust::solids, k = dust::wave_number;
   const double rate = (1 - phi) * 4 * k * k / (1000 * 4000.0 * (1 - phi) + 2500 * 800.0 * phi);
-  EXPECT_NEAR(std::log(before / height()) / 3 / rate, 1, 0.1);
+  EXPECT_NEAR(found / rate, 1, 0.1);
 }
 
 /// A cloud of colliding bodies of two kinds in a box of fluid of its own heat.

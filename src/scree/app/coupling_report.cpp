@@ -141,9 +141,10 @@ std::string slow_in_bed(const Case& c, const Derived& derived, const CouplingSet
   const double inertia = inertia_of_way(c, derived.kinds);
   if (derived.cost.particles >= fewest_in_bed && inertia > most_inertia)
     return fmt::format(
-        "a bed of such light particles bursts now and then, whatever the step: the fluid that makes way has {:.2g} "
-        "times their inertia and answers a step later (docs/fluid.md); up to {:.2g} is safe",
-        inertia, most_inertia);
+        "a bed of such light particles may burst, with shorter steps as well: the fluid that makes way has {:.2g} "
+        "times "
+        "their inertia and answers a step later, see docs/fluid.md",
+        inertia);
   const double longest = longest_step_in_bed(c, derived.kinds, derived.step.contact_time);
   if (derived.cost.particles < fewest_in_bed || s.fluid_step() <= longest * (1 + 1e-9)) return "";
   return fmt::format(
@@ -162,10 +163,15 @@ std::vector<CouplingNote> coupling_notes(const Case& c, const Derived& derived) 
   std::vector<CouplingNote> notes;
   bool few = false;
   double least = INFINITY, shortest = INFINITY;
+  double wide = 0;  // of the narrowest cells of each axis, those of the axis where they are widest
   for (int a = 0; a < 3; ++a) {
-    few |= g.cells(a) > 1 && g.cells(a) < few_cells;
-    if (g.cells(a) > 1) shortest = std::min(shortest, g.faces[a].back() - g.faces[a].front());
-    for (int i = 0; g.cells(a) > 1 && i < g.cells(a); ++i) least = std::min(least, g.width(a, i));
+    if (g.cells(a) == 1) continue;
+    few |= g.cells(a) < few_cells;
+    shortest = std::min(shortest, g.faces[a].back() - g.faces[a].front());
+    double narrowest = INFINITY;
+    for (int i = 0; i < g.cells(a); ++i) narrowest = std::min(narrowest, g.width(a, i));
+    least = std::min(least, narrowest);
+    wide = std::max(wide, narrowest);
   }
   notes.push_back(
       {"grid of the fluid", grid_text(g),
@@ -173,9 +179,9 @@ std::vector<CouplingNote> coupling_notes(const Case& c, const Derived& derived) 
   notes.push_back({"time step of the fluid", fmt::format("{:.4g} s, {} of the particles'", s.fluid_step(), s.subcycles),
                    slow_in_bed(c, derived, s)});
   const double speed = given_speed(c, region) / expected_voidage(derived);
-  if (speed > 0 && std::isfinite(least)) {
-    const double courant = speed * s.fluid_step() / least;
-    const double reynolds = c.fluid.density * speed * least / c.fluid.viscosity;
+  if (speed > 0 && wide > 0) {
+    const double courant = speed * s.fluid_step() / wide;
+    const double reynolds = c.fluid.density * speed * wide / c.fluid.viscosity;
     notes.push_back({"",
                      fmt::format("Courant number {:.2g}, Reynolds number of a cell {:.3g}, at {:.3g} m/s", courant,
                                  reynolds, speed),

@@ -108,8 +108,9 @@ std::string growing_waves(const Case& c, double courant, double cell_reynolds) {
   const double largest = 1.7 / (courant * courant * courant);
   if (!central || c.fluid.turbulence.model != "none" || cell_reynolds <= largest) return "";
   return fmt::format(
-      "fluid.convection = '{}' lets waves of a few cells grow above {:.3g} of a cell at a Courant number of "
-      "{:.2g}: 'van_leer', a smaller Courant number, or narrower cells",
+      "fluid.convection = '{}' lets waves of a few cells grow where the Reynolds number of a cell is above {:.3g}, at "
+      "a "
+      "Courant number of {:.2g} (docs/fluid.md): 'van_leer', a shorter time step, or narrower cells",
       c.fluid.convection, largest, courant);
 }
 
@@ -120,6 +121,7 @@ std::string fluid_report(const Case& c) {
   const double cells = static_cast<double>(g.all().cells());
   text += line("grid", fmt::format("{} x {} x {} = {:.4g} cells", g.cells(0), g.cells(1), g.cells(2), cells), "ok");
   double least = INFINITY, across = 0;
+  double wide = 0;  // of the narrowest cells of each axis, those of the axis where they are widest
   for (int a = 0; a < 3; ++a) {
     const Widths w = widths_of(g, a);
     const bool rough = w.growth > largest_growth;
@@ -128,6 +130,7 @@ std::string fluid_report(const Case& c) {
                  rough ? "warning: above 1.3 the solution loses accuracy; smaller ratios or more cells" : "ok");
     if (g.cells(a) > 1) {
       least = std::min(least, w.least);
+      wide = std::max(wide, w.least);
       across = std::max(across, g.faces[a].back() - g.faces[a].front());
     }
     if (g.periodic[a] && g.cells(a) > 1 && odd_part(g.cells(a)) > slow_factor)
@@ -140,7 +143,7 @@ std::string fluid_report(const Case& c) {
     text += line("given speed", fmt::format("{:.4g} m/s", speed), "ok");
     text += line("time step", fmt::format("about {:.3g} s, {:.3g} steps", step, c.simulation.end / step), "ok");
     const double per_length = c.fluid.density * speed / c.fluid.viscosity;
-    const std::string wrong = growing_waves(c, speed * step / least, per_length * least);
+    const std::string wrong = growing_waves(c, speed * step / wide, per_length * wide);
     text += line("Reynolds number",
                  fmt::format("{:.4g} over {:.4g} m, {:.4g} of a cell", per_length * across, across, per_length * least),
                  wrong.empty() ? "ok" : "warning: " + wrong);

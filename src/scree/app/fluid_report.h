@@ -16,6 +16,8 @@ FluidCost fluid_cost(const Case& c);
 
 /// What is wrong with central differences at a Courant number and a Reynolds number of a cell: the formula of two steps
 /// lets waves of a few cells grow, which only friction holds back. Empty where nothing is, and with other schemes.
+/// Which way the flow goes is not known: both numbers are to be those along the axis with the widest cells, where waves
+/// grow least.
 std::string growing_waves(const Case& c, double courant, double cell_reynolds);
 
 /// Grid, numbers of the flow and memory, each with a verdict.
