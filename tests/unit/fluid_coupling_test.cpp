@@ -14,7 +14,7 @@ namespace {
 
 TEST(FluidCoupling, MomentumOfFluidAndParticlesIsConstantWhateverTheSubcycling) {
   EXPECT_LT(drift_of({.subcycles = 1}, 300), 1e-12);
-  EXPECT_LT(drift_of({.subcycles = 7}, 1000), 1e-12);
+  EXPECT_LT(drift_of({.subcycles = 7}, 10000), 1e-12);
   EXPECT_LT(drift_of({.density = 200, .viscosity = 0.1, .stiffness = 24, .subcycles = 10}, 1000),
             1e-12);  // light, strongly dragged
 }
@@ -39,7 +39,7 @@ TEST(FluidCoupling, MomentumIsLostWithAnyPartOfTheExchange) {
 
 TEST(FluidCoupling, VolumeIsConserved) {
   Simulation s(case_of(Cloud{.subcycles = 5}.text()), 1);
-  for (int n = 0; n < 100; ++n) s.step();
+  for (int n = 0; n < 10000; ++n) s.step();
   const FluidSolver& f = s.coupling()->fluid;
   const double solids = 150 * std::numbers::pi / 6 * std::pow(0.002, 3);
   EXPECT_NEAR(f.state.books.content[3], std::pow(0.02, 3) - solids, 1e-13 * std::pow(0.02, 3));
@@ -121,7 +121,7 @@ subcycles = 1
         EXPECT_LT(std::abs(v - u) / 0.1, std::pow(1 + 0.05, -60) * 1.01);  // slower than this is no implicit rule
       }
       // Nothing else acts on them: they receive what the fluid has counted on.
-      EXPECT_LT(std::abs(under_way(s.system().particles)[0]), 1e-13 * solids * 0.1);
+      EXPECT_LT(std::abs(under_way(*s.coupling(), s.system().particles)[0]), 1e-13 * solids * 0.1);
     }
 }
 

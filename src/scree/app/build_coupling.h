@@ -14,7 +14,7 @@ namespace scree {
 CouplingSettings build_coupling_settings(const Case& c, const std::vector<BodyKind>& kinds, const DerivedStep& step);
 
 /// Inertia of the fluid that makes way for packed particles, (1 - e) / e times its density with e = 0.4, over that of
-/// the lightest.
+/// the lightest, with the mass that they carry along.
 double inertia_of_way(const Case& c, const std::vector<BodyKind>& kinds);
 
 /// The longest step of the fluid [s] at which particles that press on each other in it come to rest; infinite in gases

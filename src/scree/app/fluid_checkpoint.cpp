@@ -54,6 +54,7 @@ void for_each_shared_field(Coupling& c, Visit&& visit) {
     visit(fmt::format("coupling_push_{}", axes[a]), c.fluid.load.push[a]);
     visit(fmt::format("coupling_solids_{}", axes[a]), c.fluid.load.solids[a]);
     visit(fmt::format("coupling_returned_{}", axes[a]), c.returned[a]);
+    visit(fmt::format("coupling_owed_{}", axes[a]), c.way.owed[a]);
   }
 }
 
@@ -159,6 +160,7 @@ void restore_coupling(FluidCoupling& coupling, const Archive& archive) {
     scatter_cells(coupling.fluid, archive.get<double>(name), field);
   });
   restore_fluid(coupling.fluid, archive);
+  coupling.fluid.load.fraction = coupling.fluid.state.fraction;
   const std::span<const double> b = archive.get<double>("coupling_books");
   coupling.books = {{b[0], b[1], b[2]}, b[3], b[4], b[5], b[6], b[7]};
 }

@@ -106,11 +106,11 @@ void load_passed(FluidCoupling& c, const Exchanged& x, const Deposits& sums, con
       }
     });
   }
-  renew_ghosts(m, c.fluid.ranks, 1, {&passed[0], &passed[1], &passed[2]});
 }
 
-/// The void fraction from the volumes of the particles, and their volume flux.
-void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x) {
+/// The void fraction from the volumes of the particles, and their volume flux, when the fluid makes way for `part` of
+/// what it owes them.
+void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x, double part) {
   const Mesh& m = c.fluid.mesh;
   x.box = c.fluid.ranks.alone() ? m.box : touched_cells(c.spreading, p);
   x.count = c.fluid.ranks.total(static_cast<std::int64_t>(p.size()));
@@ -130,19 +130,18 @@ void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x) {
   spread(c.spreading, p, {&x.volume, &x.motion}, x.box, mine);
   const Deposits sums = c.exchange.collect(mine);
   for (int a = 0; a < 3; ++a) read_component(m, sums, 1 + a, x.motion.scale, c.amounts[a]);
-  diffuse(c.diffusion, m, c.fluid.ranks, c.amounts, c.fluid.load.solids);
+  diffuse(c.diffusion, m, c.fluid.ranks, c.amounts, c.densities);
   read_component(m, sums, 0, x.volume.scale, c.amounts[0]);
   const Field old_levels = c.levels, old_surpluses = c.surpluses;
-  diffuse(c.diffusion, m, c.fluid.ranks, std::span(c.amounts).first(1), std::span(c.densities).first(1), &c.levels);
-  Field& solids = c.densities[0];
+  Field& solids = c.way.solids;
+  diffuse(c.diffusion, m, c.fluid.ranks, std::span(c.amounts).first(1), std::span(&solids, 1), &c.levels);
   const Crowding crowding = relieve_crowding(m, c.fluid.ranks, 1 - c.settings.least_fraction, solids, c.surpluses);
   load_passed(c, x, passed, old_levels, old_surpluses);
+  FluidLoad& load = c.fluid.load;
+  make_way(c.way, m, part, c.densities, load);
+  renew_ghosts(m, c.fluid.ranks, 1, {&load.passed[0], &load.passed[1], &load.passed[2]});
   c.books.crowded += static_cast<double>(crowding.cells);
   c.books.least_fraction = 1 - crowding.densest;
-  for_each_row(m, [&](int j, int k) {
-    const std::int64_t at = m.index(0, j, k);
-    for (int i = 0; i < m.n[0]; ++i) c.fluid.load.fraction[at + i] = 1 - solids[at + i];
-  });
 }
 
 }  // namespace
@@ -248,7 +247,7 @@ void load_fluid(FluidCoupling& c, const Particles& p, Exchanged& x) {
   diffuse(c.diffusion, m, ranks, c.amounts, load.push);
 }
 
-/// What the cells have given away in the step, drag and pressure; of this rank [N s].
+/// What the cells have given away in the step, drag, and pressure on what is there; of this rank [N s].
 Vector given_away(const FluidCoupling& c) {
   const Mesh& m = c.fluid.mesh;
   const FluidLoad& load = c.fluid.load;
@@ -258,7 +257,7 @@ Vector given_away(const FluidCoupling& c) {
       for (int i = 0; i < m.n[0]; ++i) {
         const std::int64_t at = m.index(i, j, k);
         if (m.fluid[at] == 0) continue;
-        const double volume = m.cell_volume(i, j, k), solids = c.settings.pressure ? 1 - load.fraction[at] : 0;
+        const double volume = m.cell_volume(i, j, k), solids = c.settings.pressure ? c.way.solids[at] : 0;
         for (int a = 0; a < 3; ++a)
           sum[a] += volume *
                     (load.drag[at] * c.fluid.state.velocity[a][at] - load.push[a][at] - solids * load.gradient[a][at]);
@@ -323,6 +322,7 @@ FluidCoupling::FluidCoupling(const FluidRegion& region, FluidSettings k, const C
       spreading(fluid.region, forms),
       exchange(fluid.mesh, fluid.ranks),
       returned(fluid.mesh.make_vector()),
+      way{fluid.mesh.make_field(), fluid.mesh.make_vector()},
       levels(fluid.mesh.make_field()),
       surpluses(fluid.mesh.make_field()),
       amounts(fluid.mesh.make_vector()),
@@ -341,7 +341,7 @@ void begin_coupling(FluidCoupling& c, Particles& p, const std::array<PlaceFormul
     for (int a = 0; a < 3; ++a) before.motion.row(i)[a] -= c.settings.fluid_step() * p.motion.row(i)[lane::vx + a];
   note_meeting(before);
   Exchanged x;
-  find_fraction(c, before, x);
+  find_fraction(c, before, x, 1);
   set_velocity(c.fluid, velocity);
   p.met_at = before.met_at;
   p.met_turned = before.met_turned;
@@ -375,19 +375,28 @@ void hand_back(FluidCoupling& c, const Particles& p, const std::vector<std::uint
 void advance_fluid(FluidCoupling& c, Particles& p) {
   Exchanged x;
   take_stock(c, p, x.surplus);
-  find_fraction(c, p, x);
+  find_fraction(c, p, x, c.settings.made_way_for);
   find_drag(c, p, x);
   load_fluid(c, p, x);
   const HeatPromise heat = load_heat(c, p, x.box);
   c.report = advance(c.fluid, c.settings.fluid_step());
   promise(c, p, x);
+  if (c.settings.pressure && c.settings.made_way_for < 1)
+    settle_pressure(c.way, c.fluid.mesh, c.fluid.load, c.settings.fluid_step(), c.returned);
   keep_promise(c, heat, x.box, p);
   close_books(c, p, x);
   note_meeting(p);
 }
 
-std::array<double, 3> under_way(const Particles& p) {
+std::array<double, 3> under_way(const FluidCoupling& c, const Particles& p) {
   ExactVectorSum sum;
+  const Mesh& m = c.fluid.mesh;
+  for (int k = 0; k < m.n[2]; ++k)
+    for (int j = 0; j < m.n[1]; ++j)
+      for (int i = 0; i < m.n[0]; ++i) {
+        const std::int64_t at = m.index(i, j, k);
+        sum.add(-c.returned[0][at], -c.returned[1][at], -c.returned[2][at]);
+      }
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vector got = received(p, i);
     const double* promised = p.expected.row(i);

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "scree/coupling/diffusion.h"
+#include "scree/coupling/making_way.h"
 #include "scree/coupling/spread.h"
 #include "scree/fluid/solver.h"
 #include "scree/particles/fluid_forces.h"
@@ -20,6 +21,7 @@ struct CouplingSettings {
   FluidForces forces;           // drag, and what acts besides
   double diffusion = 0;         // width of what particles spread [m]; 0: none
   double least_fraction = 0;    // of a cell's volume that is fluid, below which solids go to its neighbours
+  double made_way_for = 1;      // part of what the fluid owes to particles that move, in a step
   bool pressure = true;         // particles feel the pressure gradient of the fluid
   bool viscous_stress = false;  // and its friction; the fluid's settings then have whole_friction
   int nusselt = 0;              // SC_NUSSELT_...: of the heat between particles and fluid
@@ -49,8 +51,12 @@ struct FluidCoupling {
   CellExchange exchange;
   Diffusion diffusion;
   CouplingBooks books;
-  StepReport report;     // of the last step of the fluid
-  VectorField returned;  // by particles that have left: what they have received beyond what was promised [N s]
+  StepReport report;  // of the last step of the fluid
+  // By particles that have left, what they have received beyond what was promised, and by those that the fluid has not
+  // made way for yet, or no longer has to, what pressure has given them more or less [N s]: the fluid's in its next
+  // step.
+  VectorField returned;
+  MakingWay way;
   // How much what particles spread is spread further, see diffuse() and relieve_crowding(); in the last step.
   Field levels, surpluses;
   VectorField amounts, densities;
@@ -58,8 +64,8 @@ struct FluidCoupling {
 };
 
 /// The momentum that is on its way from the fluid to the particles: promised in the last step of the fluid and not yet
-/// received; of this rank [N s]. That of fluid and particles together with it is constant.
-std::array<double, 3> under_way(const Particles& particles);
+/// received, less what goes back; of this rank [N s]. That of fluid and particles together with it is constant.
+std::array<double, 3> under_way(const FluidCoupling& coupling, const Particles& particles);
 
 /// What fields of the fluid are at the particles of this rank, with the operator that spread the particles: for each
 /// the three of every vector, then, if asked for, the void fraction. `box` is what the particles touch.

@@ -1,0 +1,35 @@
+#include "scree/coupling/making_way.h"
+
+#include <algorithm>
+
+namespace scree {
+
+double part_made_way_for(double inertia) { return 1 / (1 + 2 * std::min(inertia, 3.0)); }
+
+void make_way(MakingWay& way, const Mesh& m, double part, const VectorField& flux, FluidLoad& load) {
+  for_each_row(m, [&](int j, int k) {
+    const std::int64_t at = m.index(0, j, k);
+    for (std::int64_t c = at; c < at + m.n[0]; ++c) {
+      load.fraction[c] = part * (1 - way.solids[c]) + (1 - part) * load.fraction[c];
+      for (int a = 0; a < 3; ++a) {
+        load.solids[a][c] = part * flux[a][c] + (1 - part) * load.solids[a][c];
+        const double due = load.passed[a][c] + way.owed[a][c];
+        load.passed[a][c] = part * due;
+        way.owed[a][c] = due - load.passed[a][c];
+      }
+    }
+  });
+}
+
+void settle_pressure(const MakingWay& way, const Mesh& m, const FluidLoad& load, double dt, VectorField& returned) {
+  for_each_row(m, [&](int j, int k) {
+    for (int i = 0; i < m.n[0]; ++i) {
+      const std::int64_t c = m.index(i, j, k);
+      if (m.fluid[c] == 0) continue;
+      const double lag = m.cell_volume(i, j, k) * ((1 - load.fraction[c]) - way.solids[c]);
+      for (int a = 0; a < 3; ++a) returned[a][c] += dt * lag * load.gradient[a][c];
+    }
+  });
+}
+
+}  // namespace scree
