@@ -60,6 +60,14 @@ z = [{ to = 0.01, cells = 3, ratio = 2 }, { to = 0.02, cells = 3, ratio = 0.5 }]
   expect_uniform(cloud, 200);
 }
 
+/// The fluid follows light particles with a lag, uniformly too.
+TEST(FluidUniform, WithParticlesLighterThanTheFluid) {
+  Cloud cloud = uniform();
+  cloud.density = 5;
+  cloud.stiffness = 0.7;
+  expect_uniform(cloud, 200);
+}
+
 TEST(FluidUniform, WithoutDragAndWithAnotherLaw) {
   Cloud cloud = uniform();
   for (const char* law : {R"(drag = "none")", R"(drag = "di_felice")"}) {

@@ -15,7 +15,6 @@ constexpr double dense = 0.4;         // void fraction at which a given velocity
 constexpr double wide = 2;            // diameters of a cell that needs no diffusion
 constexpr double diffused = 3;        // diameters that volume and forces are spread to where cells are narrower
 constexpr double shortest_run = 100;  // steps of the fluid in a run where nothing moves
-constexpr double sluggish = 0.07;     // inertia of the fluid that makes way, above which it matters when it does
 
 double narrowest(const Grid& g) {
   double least = INFINITY;
@@ -46,7 +45,7 @@ double inertia_of_way(const Case& c, const std::vector<BodyKind>& kinds) {
 }
 
 double longest_step_in_bed(const Case& c, const std::vector<BodyKind>& kinds, double contact_time) {
-  constexpr double answered = 1.0 / 12;
+  constexpr double sluggish = 0.07, answered = 0.25;
   return inertia_of_way(c, kinds) > sluggish ? answered * contact_time : INFINITY;
 }
 
@@ -63,8 +62,6 @@ CouplingSettings build_coupling_settings(const Case& c, const std::vector<BodyKi
   for (const BodyKind& kind : kinds) largest = std::max(largest, kind.largest);
   s.diffusion = k.diffusion.value_or(narrowest(region.grid) < wide * largest ? diffused * largest : 0);
   s.least_fraction = k.least_void_fraction;
-  const double inertia = inertia_of_way(c, kinds);
-  s.made_way_for = inertia > sluggish ? part_made_way_for(inertia) : 1;
   s.pressure = k.pressure_force;
   s.viscous_stress = k.viscous_stress;
   s.nusselt = nusselt_law(c);

@@ -19,8 +19,8 @@ double inertia_of_way(const Case& c, const std::vector<BodyKind>& kinds);
 
 /// The longest step of the fluid [s] at which particles that press on each other in it come to rest; infinite in gases
 /// and for hard collisions. A packed bed swings on its contacts. Where it moves by that, the fluid has to make way, and
-/// its pressure answers a step later: where inertia_of_way() is above 0.07, steps longer than a tenth of a contact feed
-/// the swing (docs/decisions/0022-coupling.md).
+/// its pressure answers later: where inertia_of_way() is above 0.07, steps much longer than a contact feed the swing
+/// (docs/decisions/0022-coupling.md).
 double longest_step_in_bed(const Case& c, const std::vector<BodyKind>& kinds, double contact_time);
 
 /// The settings of a fluid with particles in it.

@@ -23,7 +23,6 @@ constexpr double stiff = 1;                               // fluid steps in a re
 constexpr int few_cells = 3;                              // across a domain
 constexpr double narrow = 2;                              // diameters of a cell without diffusion
 constexpr double few_solids = 0.01;                       // of the domain: each particle is alone
-constexpr double most_inertia = 0.8;                      // of the fluid that makes way in a bed, over the particles'
 constexpr std::uint64_t fewest_in_bed = 20;               // particles that can lie on each other
 constexpr double most_saffman = 100, most_magnus = 1000;  // Reynolds numbers
 constexpr double light = 0.5;                             // density over that of the fluid that asks for the added mass
@@ -135,20 +134,12 @@ void say_kind(const Case& c, const CouplingSettings& s, const FluidRegion& regio
   say_forces(c, s, kind, reynolds, notes);
 }
 
-/// A bed at rest in a liquid shakes itself apart if the fluid answers too late; whatever the step, if it answers with
-/// about the inertia of the particles or more.
+/// A bed at rest in a liquid shakes itself apart if the fluid answers too late.
 std::string slow_in_bed(const Case& c, const Derived& derived, const CouplingSettings& s) {
-  const double inertia = inertia_of_way(c, derived.kinds);
-  if (derived.cost.particles >= fewest_in_bed && inertia > most_inertia)
-    return fmt::format(
-        "a bed of such light particles may burst, with shorter steps as well: the fluid that makes way has {:.2g} "
-        "times "
-        "their inertia and answers a step later, see docs/fluid.md",
-        inertia);
   const double longest = longest_step_in_bed(c, derived.kinds, derived.step.contact_time);
   if (derived.cost.particles < fewest_in_bed || s.fluid_step() <= longest * (1 + 1e-9)) return "";
   return fmt::format(
-      "in so dense a fluid, a bed at rest shakes with steps above {:.3g} s, a twelfth of a contact: "
+      "in so dense a fluid, a bed at rest may shake with steps above {:.3g} s, a quarter of a contact: "
       "coupling.subcycles = 0, or at most {:.0f}",
       longest, std::max(1.0, std::floor(longest / s.step * (1 + 1e-9))));
 }

@@ -108,9 +108,22 @@ void load_passed(FluidCoupling& c, const Exchanged& x, const Deposits& sums, con
   }
 }
 
-/// The void fraction from the volumes of the particles, and their volume flux, when the fluid makes way for `part` of
-/// what it owes them.
-void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x, double part) {
+/// See part_made_way_for(): for particles that can give way, as drag and added mass were in the last step.
+double find_part(const FluidCoupling& c, const Particles& p, const Quantity& volume, double solids) {
+  double heaviness = 0, relaxation = 0;
+#pragma omp parallel for schedule(static) reduction(max : heaviness, relaxation)
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.motion.row(i)[lane::inverse_mass] == 0) continue;
+    const double carried = 1 + p.before.row(i)[3];
+    heaviness = std::max(heaviness, c.fluid.settings.density * volume.values[i] / (p.mass[i] * carried));
+    relaxation = std::max(relaxation, c.settings.fluid_step() * p.stream.row(i)[3] / carried);
+  }
+  const Ranks& ranks = c.fluid.ranks;
+  return part_made_way_for(solids, ranks.largest(heaviness), ranks.largest(relaxation));
+}
+
+/// The void fraction from the volumes of the particles, and their volume flux. At once, or as the fluid makes way.
+void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x, bool at_once) {
   const Mesh& m = c.fluid.mesh;
   x.box = c.fluid.ranks.alone() ? m.box : touched_cells(c.spreading, p);
   x.count = c.fluid.ranks.total(static_cast<std::int64_t>(p.size()));
@@ -138,7 +151,8 @@ void find_fraction(FluidCoupling& c, const Particles& p, Exchanged& x, double pa
   const Crowding crowding = relieve_crowding(m, c.fluid.ranks, 1 - c.settings.least_fraction, solids, c.surpluses);
   load_passed(c, x, passed, old_levels, old_surpluses);
   FluidLoad& load = c.fluid.load;
-  make_way(c.way, m, part, c.densities, load);
+  c.way.part = at_once ? 1 : find_part(c, p, x.volume, crowding.densest);
+  make_way(c.way, m, c.densities, load);
   renew_ghosts(m, c.fluid.ranks, 1, {&load.passed[0], &load.passed[1], &load.passed[2]});
   c.books.crowded += static_cast<double>(crowding.cells);
   c.books.least_fraction = 1 - crowding.densest;
@@ -322,7 +336,7 @@ FluidCoupling::FluidCoupling(const FluidRegion& region, FluidSettings k, const C
       spreading(fluid.region, forms),
       exchange(fluid.mesh, fluid.ranks),
       returned(fluid.mesh.make_vector()),
-      way{fluid.mesh.make_field(), fluid.mesh.make_vector()},
+      way{1, fluid.mesh.make_field(), fluid.mesh.make_vector()},
       levels(fluid.mesh.make_field()),
       surpluses(fluid.mesh.make_field()),
       amounts(fluid.mesh.make_vector()),
@@ -341,7 +355,7 @@ void begin_coupling(FluidCoupling& c, Particles& p, const std::array<PlaceFormul
     for (int a = 0; a < 3; ++a) before.motion.row(i)[a] -= c.settings.fluid_step() * p.motion.row(i)[lane::vx + a];
   note_meeting(before);
   Exchanged x;
-  find_fraction(c, before, x, 1);
+  find_fraction(c, before, x, true);
   set_velocity(c.fluid, velocity);
   p.met_at = before.met_at;
   p.met_turned = before.met_turned;
@@ -375,13 +389,13 @@ void hand_back(FluidCoupling& c, const Particles& p, const std::vector<std::uint
 void advance_fluid(FluidCoupling& c, Particles& p) {
   Exchanged x;
   take_stock(c, p, x.surplus);
-  find_fraction(c, p, x, c.settings.made_way_for);
+  find_fraction(c, p, x, false);
   find_drag(c, p, x);
   load_fluid(c, p, x);
   const HeatPromise heat = load_heat(c, p, x.box);
   c.report = advance(c.fluid, c.settings.fluid_step());
   promise(c, p, x);
-  if (c.settings.pressure && c.settings.made_way_for < 1)
+  if (c.settings.pressure && c.way.part < 1)
     settle_pressure(c.way, c.fluid.mesh, c.fluid.load, c.settings.fluid_step(), c.returned);
   keep_promise(c, heat, x.box, p);
   close_books(c, p, x);

@@ -21,7 +21,6 @@ struct CouplingSettings {
   FluidForces forces;           // drag, and what acts besides
   double diffusion = 0;         // width of what particles spread [m]; 0: none
   double least_fraction = 0;    // of a cell's volume that is fluid, below which solids go to its neighbours
-  double made_way_for = 1;      // part of what the fluid owes to particles that move, in a step
   bool pressure = true;         // particles feel the pressure gradient of the fluid
   bool viscous_stress = false;  // and its friction; the fluid's settings then have whole_friction
   int nusselt = 0;              // SC_NUSSELT_...: of the heat between particles and fluid

@@ -4,9 +4,18 @@
 
 namespace scree {
 
-double part_made_way_for(double inertia) { return 1 / (1 + 2 * std::min(inertia, 3.0)); }
+double part_made_way_for(double solids, double heaviness, double relaxation) {
+  // By analysis of either loop, 2 inertia - 0.3 and pull - 0.3 steps of lag are enough.
+  constexpr double harmless = 0.3, longest = 6;
+  const double e = 1 - solids;
+  const double inertia = heaviness * solids / e;  // of what makes way, over that of the solids
+  const double pull =
+      relaxation * (solids * (1 + e)) / (e * e);  // of pressure on solids in the step, over their momentum
+  return 1 / (1 + std::clamp(2 * inertia + pull - harmless, 0.0, longest));
+}
 
-void make_way(MakingWay& way, const Mesh& m, double part, const VectorField& flux, FluidLoad& load) {
+void make_way(MakingWay& way, const Mesh& m, const VectorField& flux, FluidLoad& load) {
+  const double part = way.part;
   for_each_row(m, [&](int j, int k) {
     const std::int64_t at = m.index(0, j, k);
     for (std::int64_t c = at; c < at + m.n[0]; ++c) {

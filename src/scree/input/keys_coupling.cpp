@@ -22,7 +22,7 @@ const Section& coupling_section() {
                       "holzer_sommerfeld", "zastawny"}),
          key("subcycles", &S::subcycles,
              "time steps of the particles in one of the fluid; 0: as many as fit into fluid.time_step, or as "
-             "fluid.courant allows at the speeds that the case gives, in liquids at most a twelfth of the shortest "
+             "fluid.courant allows at the speeds that the case gives, in liquids at most a quarter of the shortest "
              "contact, for beds at rest (docs/fluid.md)"),
          key("diffusion", &S::diffusion,
              "width of the bell (full width at half maximum) to which volume and forces of a particle are spread "
