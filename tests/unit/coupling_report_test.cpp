@@ -59,14 +59,14 @@ TEST(CouplingReport, NamesDragThatIsStifferThanTheStepIsShort) {
 }
 
 TEST(CouplingReport, NamesStepsThatShakeABedInALiquid) {
-  Case c = bed("[8, 16, 8]", "subcycles = 10\n", "0.001");
+  Case c = bed("[8, 16, 8]", "subcycles = 30\n", "0.001");
   c.fluid.density = 1000;
   c.fluid.viscosity = 1e-3;
   EXPECT_TRUE(has(remedies(c), "shake"));
   // Half a swing of two spheres of 10.5 mg on a spring of 1000 N/m: 0.23 ms.
   const double contact = std::numbers::pi * std::sqrt(2500 * std::numbers::pi / 6 * 8e-9 / 2 / 1000);
   EXPECT_DOUBLE_EQ(longest_step_in_bed(c, derive(c).kinds, contact), contact / 4);
-  c.coupling.subcycles = static_cast<std::uint64_t>(contact / 4 / 1e-5);
+  c.coupling.subcycles = static_cast<std::uint64_t>(contact / 1e-5);
   EXPECT_EQ(remedies(c), "");
   c.coupling.subcycles = 0;
   EXPECT_EQ(build_coupling_settings(c, derive(c).kinds, derive(c).step).subcycles,

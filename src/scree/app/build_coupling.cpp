@@ -34,8 +34,8 @@ double fluid_step(const Case& c, const FluidRegion& region, const std::vector<Bo
   return step;
 }
 
-}  // namespace
-
+/// Inertia of the fluid that makes way for packed particles over that of the lightest, with the mass that a sphere
+/// carries along.
 double inertia_of_way(const Case& c, const std::vector<BodyKind>& kinds) {
   const double carried = c.coupling.added_mass ? 0.5 * c.fluid.density : 0;
   double heaviness = 0;
@@ -43,6 +43,8 @@ double inertia_of_way(const Case& c, const std::vector<BodyKind>& kinds) {
     if (kind.free) heaviness = std::max(heaviness, c.fluid.density / (kind.density + carried));
   return (1 - dense) / dense * heaviness;
 }
+
+}  // namespace
 
 double longest_step_in_bed(const Case& c, const std::vector<BodyKind>& kinds, double contact_time) {
   constexpr double sluggish = 0.07, answered = 0.25;

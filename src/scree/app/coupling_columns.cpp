@@ -12,7 +12,7 @@ namespace scree {
 namespace {
 
 constexpr std::size_t clock_columns = 2;  // time and step, which the particles have, too
-constexpr std::size_t own_columns = 4;    // at the end, of the coupling
+constexpr std::size_t own_columns = 5;    // at the end, of the coupling
 
 /// Names that a fluid has of its own, beside those that particles have.
 bool names_a_place(const Case& c, const std::string& name) {
@@ -50,7 +50,7 @@ std::vector<std::string> coupled_columns(const Case& c) {
   for (std::string& name : names)
     if (!names_a_place(c, name)) name = "fluid_" + name;
   if (exchanges_heat(c)) names.push_back("heat_exchange_error");
-  names.insert(names.end(), {"pressure_drop", "coupling_error", "least_void_fraction", "crowded_cells"});
+  names.insert(names.end(), {"pressure_drop", "coupling_error", "least_void_fraction", "crowded_cells", "fluid_lag"});
   return names;
 }
 
@@ -66,7 +66,7 @@ std::vector<double> coupled_row(const Case& c, const FluidCoupling& coupling, co
   const CouplingBooks& b = coupling.books;
   if (exchanges_heat(c)) row.push_back(b.heat_error);
   row.insert(row.end(), {pressure_drop(coupling.fluid), std::hypot(b.error[0], b.error[1], b.error[2]),
-                         b.least_fraction, b.crowded});
+                         b.least_fraction, b.crowded, 1 / coupling.way.part - 1});
   return row;
 }
 

@@ -134,14 +134,15 @@ void say_kind(const Case& c, const CouplingSettings& s, const FluidRegion& regio
   say_forces(c, s, kind, reynolds, notes);
 }
 
-/// A bed at rest in a liquid shakes itself apart if the fluid answers too late.
+/// A bed at rest in a liquid may shake where the fluid answers too late.
 std::string slow_in_bed(const Case& c, const Derived& derived, const CouplingSettings& s) {
-  const double longest = longest_step_in_bed(c, derived.kinds, derived.step.contact_time);
-  if (derived.cost.particles < fewest_in_bed || s.fluid_step() <= longest * (1 + 1e-9)) return "";
+  const double chosen = longest_step_in_bed(c, derived.kinds, derived.step.contact_time);
+  const double contact = derived.step.contact_time;
+  if (derived.cost.particles < fewest_in_bed || std::isinf(chosen) || s.fluid_step() <= contact * (1 + 1e-9)) return "";
   return fmt::format(
-      "in so dense a fluid, a bed at rest may shake with steps above {:.3g} s, a quarter of a contact: "
+      "in so dense a fluid, a bed at rest may shake with steps of the fluid longer than a contact, {:.3g} s: "
       "coupling.subcycles = 0, or at most {:.0f}",
-      longest, std::max(1.0, std::floor(longest / s.step * (1 + 1e-9))));
+      contact, std::max(1.0, std::floor(contact / s.step * (1 + 1e-9))));
 }
 
 }  // namespace

@@ -145,8 +145,9 @@ void put_coupling(const FluidCoupling& coupling, Archive& out) {
     out.put(name, gather_cells(coupling.fluid, field));
   });
   const CouplingBooks& b = coupling.books;
-  out.put("coupling_books", std::vector<double>{b.error[0], b.error[1], b.error[2], b.turned, b.crowded,
-                                                b.least_fraction, b.heat_error, b.heat_to_particles});
+  out.put("coupling_books",
+          std::vector<double>{b.error[0], b.error[1], b.error[2], b.turned, b.crowded, b.least_fraction, b.heat_error,
+                              b.heat_to_particles, coupling.way.part});
 }
 
 std::optional<int> saved_subcycles(const Archive& archive) {
@@ -163,6 +164,7 @@ void restore_coupling(FluidCoupling& coupling, const Archive& archive) {
   coupling.fluid.load.fraction = coupling.fluid.state.fraction;
   const std::span<const double> b = archive.get<double>("coupling_books");
   coupling.books = {{b[0], b[1], b[2]}, b[3], b[4], b[5], b[6], b[7]};
+  coupling.way.part = b[8];
 }
 
 std::string fluid_hash(const FluidSolver& s) {

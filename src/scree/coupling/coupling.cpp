@@ -108,12 +108,13 @@ void load_passed(FluidCoupling& c, const Exchanged& x, const Deposits& sums, con
   }
 }
 
-/// See part_made_way_for(): for particles that can give way, as drag and added mass were in the last step.
+/// See part_made_way_for(): for particles that can give way, as drag and added mass were in the fluid's last step.
+/// Those that it has not met yet do not count.
 double find_part(const FluidCoupling& c, const Particles& p, const Quantity& volume, double solids) {
   double heaviness = 0, relaxation = 0;
 #pragma omp parallel for schedule(static) reduction(max : heaviness, relaxation)
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.motion.row(i)[lane::inverse_mass] == 0) continue;
+    if (p.motion.row(i)[lane::inverse_mass] == 0 || p.met_at.row(i)[3] == 0) continue;
     const double carried = 1 + p.before.row(i)[3];
     heaviness = std::max(heaviness, c.fluid.settings.density * volume.values[i] / (p.mass[i] * carried));
     relaxation = std::max(relaxation, c.settings.fluid_step() * p.stream.row(i)[3] / carried);

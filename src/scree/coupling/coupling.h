@@ -51,9 +51,8 @@ struct FluidCoupling {
   Diffusion diffusion;
   CouplingBooks books;
   StepReport report;  // of the last step of the fluid
-  // By particles that have left, what they have received beyond what was promised, and by those that the fluid has not
-  // made way for yet, or no longer has to, what pressure has given them more or less [N s]: the fluid's in its next
-  // step.
+  // What particles that have left have received beyond what was promised; and what pressure has given to solids that
+  // the fluid has not followed yet [N s]. The fluid gets both in its next step.
   VectorField returned;
   MakingWay way;
   // How much what particles spread is spread further, see diffuse() and relieve_crowding(); in the last step.

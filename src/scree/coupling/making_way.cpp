@@ -1,6 +1,7 @@
 #include "scree/coupling/making_way.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace scree {
 
@@ -9,22 +10,24 @@ double part_made_way_for(double solids, double heaviness, double relaxation) {
   constexpr double harmless = 0.3, longest = 6;
   const double e = 1 - solids;
   const double inertia = heaviness * solids / e;  // of what makes way, over that of the solids
-  const double pull =
-      relaxation * (solids * (1 + e)) / (e * e);  // of pressure on solids in the step, over their momentum
+  // Of pressure in the step, over the momentum of the solids.
+  const double pull = relaxation * solids * (1 + e) / (e * e);
   return 1 / (1 + std::clamp(2 * inertia + pull - harmless, 0.0, longest));
 }
 
 void make_way(MakingWay& way, const Mesh& m, const VectorField& flux, FluidLoad& load) {
   const double part = way.part;
+  // What is left behind would fade into numbers that some processors are slow with.
+  const auto faded = [](double x) { return std::abs(x) < 1e-200 ? 0 : x; };
   for_each_row(m, [&](int j, int k) {
     const std::int64_t at = m.index(0, j, k);
     for (std::int64_t c = at; c < at + m.n[0]; ++c) {
       load.fraction[c] = part * (1 - way.solids[c]) + (1 - part) * load.fraction[c];
       for (int a = 0; a < 3; ++a) {
-        load.solids[a][c] = part * flux[a][c] + (1 - part) * load.solids[a][c];
+        load.solids[a][c] = faded(part * flux[a][c] + (1 - part) * load.solids[a][c]);
         const double due = load.passed[a][c] + way.owed[a][c];
         load.passed[a][c] = part * due;
-        way.owed[a][c] = due - load.passed[a][c];
+        way.owed[a][c] = faded(due - load.passed[a][c]);
       }
     }
   });
