@@ -150,6 +150,14 @@ class CommandLine(unittest.TestCase):
             "run", "case.toml", "--set", "simulation.end=1e15", "--set", 'simulation.time_step="auto"'))
         self.assertIn("--until 1e+15: error[E132]", self.refused("run", "case.toml", "--until", "1e15"))
 
+    def test_a_device_does_all_of_a_case_or_nothing(self):
+        for command in ("check", "run"):
+            told = self.refused(command, "case.toml", "--set", "contact.collision=hard", "--device", "opencl")
+            self.assertIn("hard collisions are not there yet on devices", told)
+            told = self.refused(command, str(SOURCE / "examples" / "20_cavity" / "case.toml"), "--device", "opencl")
+            self.assertIn("flows that are solved for are not there yet on devices", told)
+        self.assertIn("no such device", self.refused("check", "case.toml", "--device", "opencl:99"))
+
     def test_check_tells_what_a_run_writes_and_the_room_for_it(self):
         report = self.scree("check", "case.toml", "-o", "elsewhere").stdout
         self.assertRegex(report, r"writes +2 frames of [0-9.]+ kB, 6 rows of \d+ B, 1 checkpoint of [0-9.]+ kB\n")

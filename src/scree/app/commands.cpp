@@ -9,6 +9,7 @@
 #include "scree/app/bench.h"
 #include "scree/app/data_files.h"
 #include "scree/app/derived.h"
+#include "scree/app/device_run.h"
 #include "scree/app/fluid_report.h"
 #include "scree/app/info.h"
 #include "scree/app/memory_need.h"
@@ -107,9 +108,16 @@ Command declare_check(CLI::App& app) {
   auto arguments = std::make_shared<CaseArguments>();
   auto directory = std::make_shared<std::string>();
   arguments->declare(*c);
+  auto device = std::make_shared<std::string>("cpu");
   c->add_option("-o,--output", *directory, "where the results would go [runs/NAME]");
+  c->add_option("--device", *device,
+                "where the steps would be done, as in `scree run`; says whether that can do all of the case [cpu]");
   return {"check", [=] {
             const Case loaded = load_case(arguments->file, arguments->set);
+            if (*device != "cpu") {
+              refuse_on_device(loaded);
+              print(fmt::format("{} can do the steps of this case\n\n", find_device(*device).name));
+            }
             if (solves_flow(loaded) && !couples(loaded)) {
               print(fluid_report(loaded));
               return static_cast<int>(Exit::success);

@@ -73,7 +73,7 @@ void refuse_on_device(const Case& c) {
   if (c.gravity.type != "none" && c.gravity.type != "uniform")
     refuse(c, "gravity.type", "body forces other than uniform gravity are");
   if (c.flow.type == "expression") refuse(c, "flow.type", "flows by formula are");
-  if (couples(c)) refuse(c, "fluid.type", "particles in a flow that is solved for are");
+  if (solves_flow(c)) refuse(c, "fluid.type", "flows that are solved for are");
   if (warms(c)) refuse(c, "heat.type", "temperatures of particles are");
   if (c.flow.buoyancy) refuse(c, "flow.buoyancy", "buoyancy is");
   if (c.flow.drag != "none" && c.flow.drag != "stokes" && c.flow.drag != "schiller_naumann")

@@ -201,13 +201,13 @@ RunResult follow(Simulation& simulation) {
 }  // namespace
 
 RunResult run_case(const Case& c, const RunOptions& options) {
+  const auto device = device_of(c, options);
   if (solves_flow(c) && !couples(c)) return run_fluid(c, options);
   if (couples(c)) expect_flow_solver(c);
   const auto begin = WallClock::now();
   const double end = options.until.value_or(c.simulation.end);
   const int threads = threads_of(options);
   omp_set_num_threads(threads);
-  const auto device = device_of(c, options);
   const Beginning beginning = find_beginning(c, options, end);
   announce(options, beginning, threads);
   if (options.ranks.root() && !options.quiet && !beginning.nothing_to_do && !beginning.archive)
