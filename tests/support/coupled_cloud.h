@@ -89,7 +89,8 @@ inline std::array<double, 3> particle_momentum(const Simulation& s) {
 /// and half of its last change.
 inline std::array<double, 3> momentum(const Simulation& s) {
   const FluidBooks& b = s.coupling()->fluid.state.books;
-  const std::array<double, 3> particles = particle_momentum(s), between = under_way(*s.coupling(), s.system().particles);
+  const std::array<double, 3> particles = particle_momentum(s),
+                              between = under_way(*s.coupling(), s.system().particles);
   std::array<double, 3> sum{};
   for (int a = 0; a < 3; ++a) sum[a] = b.content[a] + 0.5 * b.change[a] + particles[a] + between[a];
   return sum;
