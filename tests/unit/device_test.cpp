@@ -184,6 +184,15 @@ TEST(Device, HasTheBitsOfTheCpuInAFunnelWithALid) {
                   1500);
 }
 
+TEST(Device, HasTheBitsOfTheCpuOnTheRimsOfClosedCylindersAndCones) {
+  const std::string can =
+      wall("cylinder", "start = [0.008, 0.008, 0]\nend = [0.008, 0.008, 0.005]\nradius = 0.005\nclosed = true");
+  const std::string cone = wall(
+      "cone",
+      "start = [0.021, 0.02, 0]\nend = [0.02, 0.022, 0.005]\nstart_radius = 0.008\nend_radius = 0.002\nclosed = true");
+  expect_the_same(vessel(closed_box + can + cone), 1500);
+}
+
 TEST(Device, HasTheBitsOfTheCpuOnAMeshOfManyEdges) { expect_the_same(vessel(closed_box + egg_tray(9)), 1500); }
 
 TEST(Device, HasTheBitsOfTheCpuOnAMeshFinerThanTheSpheres) {
@@ -230,6 +239,16 @@ TEST(Device, HasTheBitsOfTheCpuWhereWallsMoveByFormulasAndComeAndGo) {
            "t\"], angle = \"5 * t\", axis = [1, 0, 0], point = [0, 0.015, 0.012] }\n");
   expect_the_same(vessel(closed_box + paddle + egg_tray(5, "until = 0.015\n") + egg_tray(4, "from = 0.0152\n")), 1500,
                   {"simulation.max_overlap=2"});
+}
+
+TEST(Device, NoticesAWallThatComesToParticlesAtRest) {
+  // Nothing but the wall moves until it arrives, from beyond the margin of the lists.
+  const std::string press =
+      wall("rectangle",
+           "min = [0, 0, 0.031]\nmax = [0.03, 0.03, 0.031]\nmotion = { type = \"velocity\", velocity = [0, 0, -1] }");
+  expect_the_same(vessel(closed_box + press), 500,
+                  {"simulation.skin=3e-4", "gravity.acceleration=[0, 0, 0]", "particles.0.velocity.deviation=1e-9",
+                   "particles.0.angular_velocity=[0, 0, 0]"});
 }
 
 TEST(Device, GoesOnFromTheCpuAndBackWithWalls) {

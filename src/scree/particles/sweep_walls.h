@@ -1,4 +1,5 @@
-// What walls do to a particle: which faces it really touches, the law for each, and the work that moving walls do.
+// What walls do to a particle: which faces it really touches, the law for each, and the work that moving walls do. For
+// lists as they are laid out on a device kernels/opencl/faces.cl does the same.
 #pragma once
 
 #include "scree/particles/lanes.h"

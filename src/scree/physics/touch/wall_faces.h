@@ -10,7 +10,7 @@ enum { SC_FACE_DROPPED = 16 };
 /// Whether a nearest point on the edge or the corner `corners` of a face, `away` from the body, gives way to another
 /// face that is `other_away` and has that edge or corner too. Faces as near up to rounding do not give way.
 SC_FN int sc_gives_way(int corners, real away, real other_away) {
-  return (corners != SC_INSIDE_FACE) & (other_away < R(1 - 1e-12) * away);
+  return corners != SC_INSIDE_FACE && other_away < R(1 - 1e-12) * away;
 }
 
 /// Whether closest points of two faces, `apart` [m], are one place of contact for a body of this radius [m].
