@@ -37,7 +37,7 @@ laws="-DSC_GROUP=128 -DSC_CHOSEN_NORMAL=2 -DSC_CHOSEN_TANGENTIAL=6 -DSC_CHOSEN_R
       -DSC_CHOSEN_COHESION=2"
 kernels=$(mktemp --suffix=.cl)
 trap 'rm -f "$kernels"' EXIT
-for text in spheres sort lists check; do
+for text in gathered faces spheres sort lists check; do
   echo "#include \"scree/kernels/opencl/$text.cl\"" >> "$kernels"
 done
 for target in spir64 nvptx64; do

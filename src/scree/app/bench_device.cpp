@@ -85,11 +85,12 @@ class DeviceSteps {
       : lists_(prepare_lists(system, 0)),
         spheres_(device, system, lists_, fields, 1),
         move_(move_of(fields, dt)),
-        time_{dt, 0.5 * dt, dt} {}
+        time_{dt, 0.5 * dt, dt},
+        walls_{system.walls.poses} {}
 
   void run(int steps) {
     for (int k = 0; k < steps; ++k) {
-      spheres_.step(move_, time_);
+      spheres_.step(move_, time_, walls_);
       if (spheres_.is_full()) contacts_ += spheres_.settle().contacts;
     }
     contacts_ += spheres_.settle().contacts;
@@ -104,6 +105,7 @@ class DeviceSteps {
   DeviceSpheres spheres_;
   sc_move move_;
   sc_contact_time time_;
+  WallsOfStep walls_;
   std::int64_t contacts_ = 0;
 };
 

@@ -33,17 +33,6 @@ void refuse_particles(const Case& c) {
   }
 }
 
-void refuse_walls(const Case& c) {
-  for (std::size_t k = 0; k < c.walls.size(); ++k) {
-    const WallKeys& wall = c.walls[k];
-    const auto key = [&](const char* name) { return fmt::format("walls.{}.{}", k, name); };
-    if (wall.type != "plane") refuse(c, key("type"), "walls other than planes are");
-    if (wall.motion.type != "none") refuse(c, key("motion.type"), "walls that move are");
-    if (wall.from > 0) refuse(c, key("from"), "walls that come and go are");
-    if (wall.until) refuse(c, key("until"), "walls that come and go are");
-  }
-}
-
 }  // namespace
 
 opencl::DeviceInfo find_device(const std::string& name) {
@@ -67,7 +56,6 @@ opencl::DeviceInfo find_device(const std::string& name) {
 
 void refuse_on_device(const Case& c) {
   refuse_particles(c);
-  refuse_walls(c);
   if (is_hard(c)) refuse(c, "contact.collision", "hard collisions are");
   if (!c.outlets.empty()) refuse(c, "outlets.0.type", "outlets are");
   if (c.gravity.type != "none" && c.gravity.type != "uniform")

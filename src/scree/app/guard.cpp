@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "scree/base/error.h"
 #include "scree/particles/contact_state.h"
@@ -106,6 +107,8 @@ Overlap deepest_pair(const ParticleSystem& s) {
     a = static_cast<std::size_t>(i);
     b = static_cast<std::size_t>(j);
   }
+  // Who is named first does not depend on who is stored first.
+  if (worst.share > 0 && p.id[b] < p.id[a]) std::swap(a, b);
   if (worst.share > 0) worst.who = place_of(p, a) + " and " + place_of(p, b);
   return worst;
 }

@@ -228,10 +228,15 @@ void Simulation::take(SweepFindings findings) {
 /// Notes how far particles and walls went in this step.
 void Simulation::note_ways(double particles) {
   note_travel(lists_, particles);
+  note_wall_travel(lists_, way_of_walls());
+}
+
+/// How far walls go at most in this step [m].
+double Simulation::way_of_walls() {
   double farthest = 0;
   const double next = static_cast<double>(clock_.step + 1) * clock_.dt;
   for (WallMotion& motion : motions_) farthest = std::max(farthest, greatest_way(motion, clock_.now(), next));
-  note_wall_travel(lists_, farthest);
+  return farthest;
 }
 
 void Simulation::move_prescribed_bodies() {

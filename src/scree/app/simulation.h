@@ -189,6 +189,7 @@ class Simulation {
   void call(Call what) const;
   void advance();
   void advance_on_device();
+  void move_walls_on_device();
   void settle_device();
   void bring_back();
   bool is_on_device() const;
@@ -232,6 +233,7 @@ class Simulation {
   /// Whether velocities are kept half a step behind the positions.
   bool staggered() const;
   void note_ways(double particles);
+  double way_of_walls();
   sc_move move_now() const;
   sc_contact_time contact_time_now() const;
 

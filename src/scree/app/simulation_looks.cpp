@@ -43,6 +43,10 @@ const Sample& Simulation::whole_sample() {
 /// The root, or a device's host, looks at the whole with lists of its own.
 void Simulation::sample_whole() {
   whole();
+  if (is_on_device()) {
+    move_walls(clock_.now());
+    whole_.walls.poses = system_.walls.poses;
+  }
   ContactLists lists = prepare_lists(whole_, case_.simulation.skin);
   refresh_lists(whole_, lists, team_);
   Buffer<sc_field> field;

@@ -1,10 +1,12 @@
-// What walls do to a particle: which faces it really touches, the law for each, and the work that moving walls do.
+// What walls do to a particle: which faces it really touches, the law for each, and the work that moving walls do. For
+// lists as they are laid out on a device kernels/opencl/faces.cl does the same.
 #pragma once
 
 #include "scree/particles/lanes.h"
 #include "scree/particles/rows.h"
 #include "scree/particles/sweep_view.h"
 #include "scree/physics/contact/law.h"
+#include "scree/physics/touch/wall_faces.h"
 
 namespace scree {
 namespace {
@@ -16,13 +18,7 @@ struct Gathered {
   lane4 couple{};  // x y z, loss by rolling
 };
 
-/// Of two faces with a common edge or corner the nearer one counts, unless they are as near up to rounding.
-constexpr double nearer = 1 - 1e-12;
-/// Closest points of two faces of a wall that are nearer to each other than this share of the radius are one contact.
-constexpr double same_point = 1e-5;
-
-/// Bit of sc_wall_gap::corners that marks a face which does not count.
-constexpr int dropped = 16;
+constexpr int dropped = SC_FACE_DROPPED;
 
 /// One particle among the walls that may touch it.
 struct AmongWalls {
@@ -60,11 +56,9 @@ template <class Away, class Point>
     const sc_wall& other = a.face(u);
     if (a.v.walls.wall[u] == a.v.walls.wall[w] || other.body != face.body) continue;
     const int there = a.gap(u).corners;
-    if (corners != SC_INSIDE_FACE && away(u) < nearer * away(w) && sc_wall_has_corners(other, face, corners))
-      return false;
+    if (sc_gives_way(corners, away(w), away(u)) && sc_wall_has_corners(other, face, corners)) return false;
     if (u > w || (there & dropped)) continue;
-    const sc_vec apart = sc_sub(point(u), point(w));
-    if (sc_dot(apart, apart) < same_point * same_point * radius * radius) return false;
+    if (sc_is_one_place(sc_sub(point(u), point(w)), radius)) return false;
   }
   return true;
 }

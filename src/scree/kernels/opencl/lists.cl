@@ -65,28 +65,50 @@ __kernel void sc_find_partners(const sc_box box, const sc_counts sizes, const re
   atomic_max(most, count);
 }
 
+/// Lists all faces of walls nearer than `skin` to the effect surface of each particle that can move, by rising number.
+__kernel void sc_find_faces(const sc_counts sizes, const real skin, __global const double4* motion,
+                            __global const real* excess, __global const sc_wall* faces,
+                            __global const sc_wall_pose* poses, __global int* counts, __global uint* entries,
+                            __global int* most) {
+  const size_t i = get_global_id(0);
+  const size_t n = (size_t)sizes.particles;
+  if (i >= n) return;
+  const double4 own = motion[2 * i];
+  const real reach = own.w + excess[i] + skin;
+  const int all = motion[2 * i + 1].w > R(0) ? sizes.faces : 0;
+  int count = 0;
+  for (int face = 0; face < all; ++face) {
+    const sc_wall wall = faces[face];
+    if (!(sc_gap_to_wall(wall, poses[wall.body], sc_first(own)).distance < reach)) continue;
+    if (count < sizes.room) entries[(size_t)count * n + i] = (uint)face;
+    ++count;
+  }
+  counts[i] = count < sizes.room ? count : sizes.room;
+  atomic_max(most, count);
+}
+
 /// Gives the contacts that act their memory from the lists of before; `order` says where each particle was, `place` where
-/// each has gone. A contact that is on no list any more is noted in `lost`.
-__kernel void sc_carry_over(const int n, __global const int* order, __global const int* place,
-                            __global const int* old_counts, __global const uint* old_partners,
+/// each has gone. Faces keep their numbers. A contact that is on no list any more is noted in `lost`.
+__kernel void sc_carry_over(const int n, const int of_faces, __global const int* order, __global const int* place,
+                            __global const int* old_counts, __global const uint* old_entries,
                             __global const double4* old_slides, __global const double4* old_rolls, __global const int* counts,
-                            __global uint* partners, __global double4* slides, __global double4* rolls, __global int* lost) {
+                            __global uint* entries, __global double4* slides, __global double4* rolls, __global int* lost) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)n) return;
   const size_t was = (size_t)order[i];
   for (int k = 0; k < old_counts[was]; ++k) {
     const size_t from = (size_t)k * (size_t)n + was;
-    const uint entry = old_partners[from];
+    const uint entry = old_entries[from];
     if (entry >> SC_CODE_SHIFT == 0u) continue;
-    const uint partner = (uint)place[entry & SC_PARTNER];
+    const uint partner = of_faces ? entry & SC_PARTNER : (uint)place[entry & SC_PARTNER];
     int to = 0;
-    while (to < counts[i] && (partners[(size_t)to * (size_t)n + i] & SC_PARTNER) != partner) ++to;
+    while (to < counts[i] && (entries[(size_t)to * (size_t)n + i] & SC_PARTNER) != partner) ++to;
     if (to == counts[i]) {
       atomic_inc(lost);
       continue;
     }
     const size_t slot = (size_t)to * (size_t)n + i;
-    partners[slot] = partner | (entry & ~SC_PARTNER);
+    entries[slot] = partner | (entry & ~SC_PARTNER);
     slides[slot] = old_slides[from];
     if (SC_ROLLS) rolls[slot] = old_rolls[from];
   }

@@ -11,7 +11,7 @@ typedef long sc_count;
 typedef long long sc_count;
 #endif
 
-/// An entry of a list: the partner, and contact_code() in the two highest bits.
+/// An entry of a list: the partner or the face, and contact_code() in the two highest bits.
 #define SC_PARTNER 0x3fffffffu
 #define SC_CODE_SHIFT 30
 
@@ -43,7 +43,8 @@ typedef struct {
 /// How many there are.
 typedef struct {
   int particles, room;  // room: contacts that a particle has place for
-  int materials, walls;
+  int materials, faces, walls;
+  int unused;  // keeps what follows aligned
 } sc_counts;
 
 /// The constants of a step.

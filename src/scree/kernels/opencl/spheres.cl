@@ -5,50 +5,9 @@
 // The state is read from one set of buffers and written to another, so that nobody sees a partner that has moved. When lists
 // no longer hold, the steps that were given ahead do nothing; the host makes lists and gives them again.
 #include "scree/kernels/books.h"
-#include "scree/kernels/opencl/parameters.h"
 #include "scree/kernels/wrap.h"
-#include "scree/physics/contact/law.h"
 #include "scree/physics/flow/shear.h"
 #include "scree/physics/flow/taylor_green.h"
-#include "scree/physics/touch/sphere_wall.h"
-
-typedef double4 real4;
-
-// SC_GROUP, the items of a group, and the chosen laws are given by the host.
-#define SC_CHOSEN_LAWS \
-  { SC_CHOSEN_NORMAL, SC_CHOSEN_TANGENTIAL, SC_CHOSEN_ROLLING, SC_CHOSEN_TWISTING, SC_CHOSEN_COHESION }
-#define SC_ROLLS (SC_CHOSEN_ROLLING != SC_ROLLING_NONE || SC_CHOSEN_TWISTING != SC_TWISTING_NONE)
-
-/// What a particle has gathered.
-typedef struct {
-  sc_vec force, turn, couple;
-  real loss_normal, loss_sliding, loss_rolling;
-  int near;  // some wall was near enough to be looked at
-} sc_gathered;
-
-/// What a particle has found.
-typedef struct {
-  real fastest_square, deepest;
-  int contacts, wall_contacts, impacts, unsound, outside, stale;
-  sc_count impact_speed;
-} sc_found;
-
-/// A particle as it was read.
-typedef struct {
-  real4 place, speed, rim;  // rows of Particles: x y z radius | vx vy vz inverse_mass | radius * w, inverse_radius
-  real excess;
-  int material;
-} sc_row;
-
-SC_FN sc_vec sc_first(real4 a) { return sc_make_vec(a.x, a.y, a.z); }
-
-SC_FN sc_gathered sc_nothing_gathered(void) {
-  sc_gathered g;
-  g.force = g.turn = g.couple = sc_zero_vec();
-  g.loss_normal = g.loss_sliding = g.loss_rolling = R(0);
-  g.near = 0;
-  return g;
-}
 
 SC_FN real sc_nearest_image(real d, real period, real middle) {
   if (d > middle) d -= period;
@@ -61,22 +20,6 @@ SC_FN sc_vec sc_branch(sc_box box, real4 a, real4 b) {
                      sc_nearest_image(b.y - a.y, box.period[1], box.half_period[1]),
                      sc_nearest_image(b.z - a.z, box.period[2], box.half_period[2]));
 }
-
-SC_FN uint sc_contact_code(int acts, real slid) { return acts ? (slid > R(0) ? 3u : 1u) : 0u; }
-
-SC_FN sc_contact_state sc_state_from(uint code, real4 slide, real4 roll) {
-  sc_contact_state s;
-  s.slide = sc_first(slide);
-  s.approach = slide.w;
-  s.acted = code & 1u ? R(1) : R(0);
-  s.slid = code & 2u ? R(1) : R(0);
-  s.roll = sc_first(roll);
-  s.twist = roll.w;
-  return s;
-}
-
-SC_FN real4 sc_slide_row(sc_contact_state s) { return (real4)(s.slide.x, s.slide.y, s.slide.z, s.approach); }
-SC_FN real4 sc_roll_row(sc_contact_state s) { return (real4)(s.roll.x, s.roll.y, s.roll.z, s.twist); }
 
 SC_FN sc_row sc_read_row(__global const real4* motion, __global const real4* spin, __global const real* excess,
                          __global const int* material, size_t i, real4 place) {
@@ -101,17 +44,6 @@ SC_FN sc_sphere_touch sc_touch_rows(sc_row a, sc_row b, sc_vec branch) {
   p.excess = a.excess + b.excess;
   p.spin = SC_ROLLS ? sc_sub(sc_scale(a.rim.w, sc_first(a.rim)), sc_scale(b.rim.w, sc_first(b.rim))) : sc_zero_vec();
   return sc_touch_spheres(p);
-}
-
-/// Adds what a contact did to its first partner; `share` of the losses is his.
-SC_FN sc_gathered sc_gather(sc_gathered g, sc_sphere_touch t, sc_contact_action a, real share) {
-  g.force = sc_add(g.force, sc_add(a.normal_force, a.tangential_force));
-  g.turn = sc_add(g.turn, sc_scale(t.lever, sc_cross(t.touch.normal, a.tangential_force)));
-  g.couple = sc_add(g.couple, a.couple);
-  g.loss_normal += share * a.loss_normal;
-  g.loss_sliding += share * a.loss_sliding;
-  g.loss_rolling += share * a.loss_rolling;
-  return g;
 }
 
 SC_FN sc_sphere_load sc_load_of(sc_gathered g) {
@@ -165,44 +97,6 @@ SC_FN sc_gathered sc_meet_partners(sc_device_step p, size_t i, sc_row own, __glo
     if (code) continue;
     ++found->impacts;
     found->impact_speed += (sc_count)(sc_dot(t.touch.velocity, t.touch.normal) / SC_SPEED_QUANTUM);
-  }
-  return g;
-}
-
-/// The contacts of particle i with planes.
-SC_FN sc_gathered sc_meet_walls(sc_device_step p, size_t i, sc_row own, __global const sc_wall* walls,
-                                __global const sc_wall_pose* poses, __global const sc_pair_law* laws, __global uint* codes,
-                                __global real4* slides, __global real4* rolls, sc_found* found) {
-  const sc_laws chosen = SC_CHOSEN_LAWS;
-  sc_gathered g = sc_nothing_gathered();
-  sc_sphere_wall s;
-  s.position = sc_first(own.place);
-  s.velocity = sc_first(own.speed);
-  s.rim_speed = sc_first(own.rim);
-  s.spin = sc_scale(own.rim.w, s.rim_speed);
-  s.radius = own.place.w;
-  s.inverse_mass = own.speed.w;
-  s.excess = own.excess;
-  for (int w = 0; w < p.counts.walls; ++w) {
-    const size_t slot = (size_t)w * (size_t)p.counts.particles + i;
-    const sc_wall wall = walls[w];
-    const sc_wall_pose pose = poses[wall.body];
-    const sc_sphere_touch t = sc_touch_wall_at(s, pose, sc_gap_to_wall(wall, pose, s.position));
-    const uint code = codes[slot];
-    if (t.touch.overlap + p.margin <= R(0) && !code) continue;
-    g.near = 1;
-    const real4 slide = code ? slides[slot] : (real4)(R(0));
-    const real4 roll = SC_ROLLS && code ? rolls[slot] : (real4)(R(0));
-    const sc_pair_law law = laws[own.material * p.counts.materials + wall.material];
-    const sc_contact_result r = sc_contact_act(chosen, law, t.touch, p.time, sc_state_from(code, slide, roll));
-    g = sc_gather(g, t, r.action, R(1));
-    const int acts = r.action.touching != 0;
-    codes[slot] = sc_contact_code(acts, r.state.slid);
-    if (acts) slides[slot] = sc_slide_row(r.state);
-    if (SC_ROLLS && acts) rolls[slot] = sc_roll_row(r.state);
-    found->deepest = SC_MAX(found->deepest, t.touch.overlap / s.radius);
-    found->contacts += acts;
-    found->wall_contacts += acts;
   }
   return g;
 }
@@ -273,13 +167,14 @@ SC_FN sc_findings sc_add_found(sc_findings f, sc_found sum) {
   return f;
 }
 
-/// One step. Nothing happens if lists did not hold any more after an earlier one.
+/// One step, number `step` of those that `poses` ([step][wall]) were sent for. Nothing happens if lists did not hold any more after an earlier one.
 __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
     const sc_device_step p, const int step, __global int* stale, __global const real4* motion, __global const real4* spin,
     __global real4* motion_out, __global real4* spin_out, __global const real* excess, __global const int* material,
     __global const real4* listed, __global const sc_pair_law* laws, __global const int* counts, __global uint* partners,
-    __global real4* slides, __global real4* rolls, __global const sc_wall* walls, __global const sc_wall_pose* poses,
-    __global uint* wall_codes, __global real4* wall_slides, __global real4* wall_rolls, __global int4* images,
+    __global real4* slides, __global real4* rolls, __global const sc_wall* faces, __global const sc_wall_pose* poses,
+    __global const int* face_counts, __global uint* near_faces, __global real4* face_slides, __global real4* face_rolls,
+    __global real4* gaps, __global int* corners, __global int4* images,
     __global real4* losses, __global real4* works, __global real4* impulses, __global real4* angulars,
     __global sc_findings* findings) {
   __local sc_found all[SC_GROUP];
@@ -298,8 +193,11 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
                                           rolls, &found);
     sc_gathered of_walls = sc_nothing_gathered();
     const int free_body = own.speed.w > R(0);
-    if (free_body && p.counts.walls > 0) {
-      of_walls = sc_meet_walls(p, i, own, walls, poses, laws, wall_codes, wall_slides, wall_rolls, &found);
+    if (free_body && p.counts.faces > 0) {
+      const sc_near_faces f = {i,     (size_t)p.counts.particles,   face_counts[i],
+                               faces, poses + step * p.counts.walls, near_faces,
+                               face_slides, face_rolls, gaps, corners};
+      of_walls = sc_meet_walls(p, own, f, laws, works, &found);
       all_of.force = sc_add(all_of.force, of_walls.force);
       all_of.turn = sc_add(all_of.turn, of_walls.turn);
       all_of.couple = sc_add(all_of.couple, of_walls.couple);
@@ -316,10 +214,8 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
     s.inverse_radius = own.rim.w;
     sc_move m = p.move;
     if (!p.fields) m.drag = SC_DRAG_NONE;
-    sc_field field;
-    field.acceleration = sc_zero_vec();
-    field.drag_rate = R(0);
-    field.fluid = p.fields ? sc_flow_at(p.flow, s.position) : sc_zero_vec();
+    sc_field field = sc_no_field();
+    if (p.fields) field.fluid = sc_flow_at(p.flow, s.position);
     const sc_sphere_moved moved = sc_move_sphere(m, s, sc_load_of(all_of), field);
     const int among_others = p.fields || !free_body || of_walls.near;
     sc_store_books(p, i, s, of_walls, all_of, moved, among_others, losses, works, impulses, angulars);

@@ -13,7 +13,8 @@
 namespace scree {
 namespace {
 
-constexpr int first_room = 12;  // partners of a particle that there is place for before more are found
+constexpr int first_room = 12;      // partners of a particle that there is place for before more are found
+constexpr int first_face_room = 3;  // the same of faces
 
 static_assert(SC_SPEED_QUANTUM == speed_quantum);
 
@@ -70,7 +71,8 @@ DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem&
       rolls_(s.contacts.remembers_rolling),
       n_(s.particles.size()),
       materials_(s.materials.count()),
-      walls_(s.walls.size()),
+      faces_(s.walls.size()),
+      walls_(s.walls.poses.size()),
       skin_(lists.skin),
       adapts_(lists.adapts) {
   const Sizes sizes = sizes_of(s.particles);
@@ -89,12 +91,13 @@ DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem&
   send_walls(s);
   send_contacts(s);
   fresh_ = make_room(first_room);
+  fresh_face_lists_ = make_room(faces_ > 0 ? std::min(static_cast<int>(faces_), first_face_room) : 0);
 }
 
 std::size_t DeviceSpheres::groups() const { return (n_ + group - 1) / group; }
 
 sc_counts DeviceSpheres::counts() const {
-  return {static_cast<int>(n_), lists_.room, materials_, static_cast<int>(walls_)};
+  return {static_cast<int>(n_), lists_.room, materials_, static_cast<int>(faces_), static_cast<int>(walls_), 0};
 }
 
 DeviceSpheres::Lists DeviceSpheres::make_room(int room) const {
@@ -131,57 +134,65 @@ void DeviceSpheres::send_particles(const Particles& particles) {
 
 void DeviceSpheres::send_walls(const ParticleSystem& s) {
   wall_faces_ = sent(device_, s.walls.faces.data(), s.walls.faces.size());
-  wall_poses_ = sent(device_, s.walls.poses.data(), s.walls.poses.size());
-  std::vector<std::uint32_t> codes(n_ * walls_);
-  std::vector<double> slides(4 * n_ * walls_), rolls(rolls_ ? 4 * n_ * walls_ : 0);
-  const WallContacts& w = s.wall_contacts;
-  for (std::size_t p = 0; p + 1 < w.first.size(); ++p)
-    for (std::int32_t c = w.first[p]; c < w.first[p + 1]; ++c) {
-      const std::size_t slot = static_cast<std::size_t>(w.wall[c]) * n_ + p;
-      codes[slot] = w.active[c];
-      std::copy_n(&w.slide[4 * c], 4, &slides[4 * slot]);
-      if (rolls_) std::copy_n(&w.roll[4 * c], 4, &rolls[4 * slot]);
-    }
-  wall_codes_ = sent(device_, codes.data(), codes.size());
-  wall_slides_ = sent(device_, slides.data(), slides.size());
-  wall_rolls_ = sent(device_, rolls.data(), rolls.size());
+  wall_poses_ = opencl::DeviceBuffer(device_, most_given * walls_ * sizeof(sc_wall_pose));
 }
 
-/// Contacts that act are sent as lists of their own, each from both sides; the first real lists take them over.
+/// Contacts that act are sent as lists of their own, each pair from both sides; the first real lists take them over.
 void DeviceSpheres::send_contacts(const ParticleSystem& s) {
   const PairContacts& c = s.contacts;
-  std::vector<std::int32_t> count(n_);
-  const auto acting = [&](auto&& visit) {
-    for (std::size_t k = 0; k < c.pairs.count; ++k)
-      if (c.active[k]) visit(k, c.pairs.owner[k], c.pairs.partner[k]);
+  const auto entry = [](std::int32_t other, std::uint8_t code) {
+    return static_cast<std::uint32_t>(other) | static_cast<std::uint32_t>(code) << SC_CODE_SHIFT;
   };
-  acting([&](std::size_t, std::int32_t a, std::int32_t b) { ++count[a], ++count[b]; });
-  lists_ = make_room(n_ ? *std::max_element(count.begin(), count.end()) : 0);
-  const std::size_t slots = n_ * static_cast<std::size_t>(lists_.room);
-  std::vector<std::uint32_t> partners(slots);
-  std::vector<double> slides(4 * slots), rolls(rolls_ ? 4 * slots : 0);
-  std::fill(count.begin(), count.end(), 0);
-  const auto put = [&](std::size_t k, std::int32_t self, std::int32_t other, double sign) {
-    const std::size_t slot = static_cast<std::size_t>(count[self]++) * n_ + static_cast<std::size_t>(self);
-    partners[slot] = static_cast<std::uint32_t>(other) | static_cast<std::uint32_t>(c.active[k]) << SC_CODE_SHIFT;
-    for (std::size_t l = 0; l < 4; ++l) slides[4 * slot + l] = (l < 3 ? sign : 1) * c.slide[4 * k + l];
-    for (std::size_t l = 0; rolls_ && l < 4; ++l) rolls[4 * slot + l] = (l < 3 ? sign : 1) * c.roll[4 * k + l];
-  };
-  acting([&](std::size_t k, std::int32_t a, std::int32_t b) {
-    put(k, a, b, 1);
-    put(k, b, a, -1);
-  });
-  lists_.counts.write(count.data(), n_ * sizeof(std::int32_t));
-  lists_.partners.write(partners.data(), slots * sizeof(std::uint32_t));
-  lists_.slides.write(slides.data(), slides.size() * sizeof(double));
-  lists_.rolls.write(rolls.data(), rolls.size() * sizeof(double));
+  std::vector<Side> sides;
+  for (std::size_t k = 0; k < c.pairs.count; ++k) {
+    if (!c.active[k]) continue;
+    const std::int32_t a = c.pairs.owner[k], b = c.pairs.partner[k];
+    const double *slide = &c.slide[4 * k], *roll = rolls_ ? &c.roll[4 * k] : nullptr;
+    sides.push_back({static_cast<std::size_t>(a), entry(b, c.active[k]), slide, roll, 1});
+    sides.push_back({static_cast<std::size_t>(b), entry(a, c.active[k]), slide, roll, -1});
+  }
+  lists_ = sent_sides(sides);
+  sides.clear();
+  const WallContacts& w = s.wall_contacts;
+  for (std::size_t p = 0; p + 1 < w.first.size(); ++p)
+    for (std::int32_t k = w.first[p]; k < w.first[p + 1]; ++k)
+      if (w.active[k])
+        sides.push_back({p, entry(w.wall[k], w.active[k]), &w.slide[4 * std::size_t(k)],
+                         rolls_ ? &w.roll[4 * std::size_t(k)] : nullptr, 1});
+  face_lists_ = sent_sides(sides);
 }
 
-void DeviceSpheres::step(const sc_move& move, const sc_contact_time& time) {
+DeviceSpheres::Lists DeviceSpheres::sent_sides(const std::vector<Side>& sides) const {
+  std::vector<std::int32_t> count(n_);
+  for (const Side& side : sides) ++count[side.particle];
+  Lists lists = make_room(n_ ? *std::max_element(count.begin(), count.end()) : 0);
+  const std::size_t slots = n_ * static_cast<std::size_t>(lists.room);
+  std::vector<std::uint32_t> entries(slots);
+  std::vector<double> slides(4 * slots), rolls(rolls_ ? 4 * slots : 0);
+  std::fill(count.begin(), count.end(), 0);
+  for (const Side& side : sides) {
+    const std::size_t slot = static_cast<std::size_t>(count[side.particle]++) * n_ + side.particle;
+    entries[slot] = side.entry;
+    for (std::size_t l = 0; l < 4; ++l) slides[4 * slot + l] = (l < 3 ? side.sign : 1) * side.slide[l];
+    for (std::size_t l = 0; rolls_ && l < 4; ++l) rolls[4 * slot + l] = (l < 3 ? side.sign : 1) * side.roll[l];
+  }
+  lists.counts.write(count.data(), n_ * sizeof(std::int32_t));
+  lists.entries.write(entries.data(), slots * sizeof(std::uint32_t));
+  lists.slides.write(slides.data(), slides.size() * sizeof(double));
+  lists.rolls.write(rolls.data(), rolls.size() * sizeof(double));
+  return lists;
+}
+
+void DeviceSpheres::step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls) {
   if (is_full()) throw std::logic_error("a device that is full has to settle first");
-  if (!listed_already_) make_lists();
-  given_.push_back({move, time});
-  launch(given_.back(), static_cast<int>(given_.size()) - 1);
+  given_.push_back({move, time, walls});
+}
+
+/// Where walls are in all steps given, for the first of which lists may have to be made.
+void DeviceSpheres::send_poses() {
+  std::vector<sc_wall_pose> poses;
+  for (const Given& g : given_) poses.insert(poses.end(), g.walls.poses.begin(), g.walls.poses.end());
+  wall_poses_.write(poses.data(), poses.size() * sizeof(sc_wall_pose));
 }
 
 /// Step number `number` since the steps were last settled.
@@ -189,16 +200,19 @@ void DeviceSpheres::launch(const Given& given, int number) {
   constants_.move = given.move;
   constants_.time = given.time;
   constants_.counts = counts();
-  constants_.stale_square = 0.25 * skin_ * skin_;
+  // Rounding in the sum must not hide a move. Two particles, or a particle and a wall, may have approached by the skin.
+  walls_travelled_ += given.walls.way * (1 + 1e-12);
+  const double left = std::min(0.5 * skin_, skin_ - walls_travelled_);
+  constants_.stale_square = left > 0 ? left * left : -1;  // -1: whatever particles do, walls have gone too far
   const sc_vec& g = given.move.gravity;
   constants_.book_gravity =
       constants_.box.period[0] + constants_.box.period[1] + constants_.box.period[2] == 0 && sc_dot(g, g) > 0;
   const int from = (now_ + number) % 2, to = 1 - from;
   program_.run("sc_pass", n_, group, constants_, number, stale_, motion_[from], spin_[from], motion_[to], spin_[to],
-               columns_.at("effect_excess"), columns_.at("material"), listed_, laws_, lists_.counts, lists_.partners,
-               lists_.slides, lists_.rolls, wall_faces_, wall_poses_, wall_codes_, wall_slides_, wall_rolls_,
-               columns_.at("image"), columns_.at("loss"), columns_.at("work"), columns_.at("impulse"),
-               columns_.at("angular_impulse"), found_);
+               columns_.at("effect_excess"), columns_.at("material"), listed_, laws_, lists_.counts, lists_.entries,
+               lists_.slides, lists_.rolls, wall_faces_, wall_poses_, face_lists_.counts, face_lists_.entries,
+               face_lists_.slides, face_lists_.rolls, gaps_, corners_, columns_.at("image"), columns_.at("loss"),
+               columns_.at("work"), columns_.at("impulse"), columns_.at("angular_impulse"), found_);
 }
 
 /// What the steps have found since the last time.
@@ -219,9 +233,13 @@ void DeviceSpheres::add_findings(DeviceFindings& to) {
   found_.clear();
 }
 
+/// Gives the steps to the device, all at once; again and again with fresh lists those that were not done.
 DeviceFindings DeviceSpheres::settle() {
   DeviceFindings out;
   while (!given_.empty()) {
+    send_poses();
+    if (!listed_already_) make_lists();
+    for (std::size_t k = 0; k < given_.size(); ++k) launch(given_[k], static_cast<int>(k));
     const auto stale = stale_.values<std::int32_t>(given_.size() + 1);
     const auto halt = std::find_if(stale.begin() + 1, stale.end(), [](std::int32_t s) { return s != 0; });
     const std::ptrdiff_t done = halt == stale.end() ? std::ssize(given_) : halt - stale.begin();
@@ -233,13 +251,32 @@ DeviceFindings DeviceSpheres::settle() {
     stale_.clear();
     if (halt != stale.end()) listed_already_ = false;
     if (!out.last.sound || !out.last.inside || out.last.deepest > constants_.max_overlap) break;
-    if (given_.empty()) break;
-    make_lists();
-    for (std::size_t k = 0; k < given_.size(); ++k) launch(given_[k], static_cast<int>(k));
   }
   out.undone = std::ssize(given_);
   given_.clear();
   return out;
+}
+
+/// Calls visit(particle, entry, slide, roll) for every contact that acts, slot by slot; no roll where none is
+/// remembered.
+template <class Visit>
+void DeviceSpheres::for_each_acting(const Lists& lists, Visit&& visit) const {
+  const auto count = lists.counts.values<std::int32_t>(n_);
+  const auto read_slot = [&](int k, const opencl::DeviceBuffer& buffer) {
+    std::vector<double> rows(buffer.bytes() ? 4 * n_ : 0);
+    buffer.read(rows.data(), rows.size() * sizeof(double), static_cast<std::size_t>(k) * 4 * n_ * sizeof(double));
+    return rows;
+  };
+  const int most = n_ ? *std::max_element(count.begin(), count.end()) : 0;
+  for (int k = 0; k < most; ++k) {
+    std::vector<std::uint32_t> entry(n_);
+    lists.entries.read(entry.data(), n_ * sizeof(std::uint32_t),
+                       static_cast<std::size_t>(k) * n_ * sizeof(std::uint32_t));
+    const auto slide = read_slot(k, lists.slides), roll = read_slot(k, lists.rolls);
+    for (std::size_t i = 0; i < n_; ++i)
+      if (k < count[i] && entry[i] >> SC_CODE_SHIFT != 0)
+        visit(i, entry[i], &slide[4 * i], roll.empty() ? nullptr : &roll[4 * i]);
+  }
 }
 
 void DeviceSpheres::bring_back(const ParticleSystem& system, ParticleSystem& whole) const {
@@ -258,45 +295,24 @@ void DeviceSpheres::bring_back(const ParticleSystem& system, ParticleSystem& who
   });
   const std::vector<std::int64_t> id(p.id.values.begin(), p.id.values.end());
   KeyedContacts pairs, walls;
-  const auto remember = [this](KeyedContacts& to, std::int64_t a, std::int64_t b, const double* slide,
-                               const double* roll, std::uint32_t code) {
+  const auto remember = [](KeyedContacts& to, std::int64_t a, std::int64_t b, const double* slide, const double* roll,
+                           std::uint32_t code) {
     to.ids.insert(to.ids.end(), {a, b});
     to.memory.insert(to.memory.end(), slide, slide + 4);
-    for (int l = 0; l < 4; ++l) to.memory.push_back(rolls_ ? roll[l] : 0.0);
+    for (int l = 0; l < 4; ++l) to.memory.push_back(roll ? roll[l] : 0.0);
     to.memory.push_back(code == contact_code(true, true) ? 1.0 : 0.0);
   };
-  const auto row = [](const std::vector<double>& rows, std::size_t slot) {
-    return rows.empty() ? nullptr : &rows[4 * slot];
-  };
-  const auto count = lists_.counts.values<std::int32_t>(n_);
-  const auto read_slot = [&](int k, auto&& buffer) {
-    std::vector<double> rows(buffer.bytes() ? 4 * n_ : 0);
-    buffer.read(rows.data(), rows.size() * sizeof(double), static_cast<std::size_t>(k) * 4 * n_ * sizeof(double));
-    return rows;
-  };
-  const int most = n_ ? *std::max_element(count.begin(), count.end()) : 0;
-  for (int k = 0; k < most; ++k) {
-    std::vector<std::uint32_t> entry(n_);
-    lists_.partners.read(entry.data(), n_ * sizeof(std::uint32_t),
-                         static_cast<std::size_t>(k) * n_ * sizeof(std::uint32_t));
-    const auto slide = read_slot(k, lists_.slides), roll = read_slot(k, lists_.rolls);
-    for (std::size_t i = 0; i < n_; ++i) {
-      if (k >= count[i] || entry[i] >> SC_CODE_SHIFT == 0) continue;
-      const std::int64_t other = id[entry[i] & SC_PARTNER];
-      if (id[i] < other) remember(pairs, id[i], other, row(slide, i), row(roll, i), entry[i] >> SC_CODE_SHIFT);
-    }
-  }
-  const auto codes = wall_codes_.values<std::uint32_t>(n_ * walls_);
-  const auto slides = wall_slides_.values<double>(4 * n_ * walls_);
-  const auto rolls = wall_rolls_.values<double>(rolls_ ? 4 * n_ * walls_ : 0);
-  for (std::size_t slot = 0; slot < n_ * walls_; ++slot)
-    if (codes[slot])
-      remember(walls, id[slot % n_], static_cast<std::int64_t>(slot / n_), row(slides, slot), row(rolls, slot),
-               codes[slot]);
+  for_each_acting(lists_, [&](std::size_t i, std::uint32_t entry, const double* slide, const double* roll) {
+    const std::int64_t other = id[entry & SC_PARTNER];
+    if (id[i] < other) remember(pairs, id[i], other, slide, roll, entry >> SC_CODE_SHIFT);
+  });
+  for_each_acting(face_lists_, [&](std::size_t i, std::uint32_t entry, const double* slide, const double* roll) {
+    remember(walls, id[i], entry & SC_PARTNER, slide, roll, entry >> SC_CODE_SHIFT);
+  });
   p.permute(order_by_id(p));
   const RowsById rows = rows_of_held(p);
   whole.contacts = pairs_of(pairs, rows, rolls_, false);
-  whole.wall_contacts = walls_of(walls, rows, p, walls_);
+  whole.wall_contacts = walls_of(walls, rows, p, faces_);
 }
 
 double DeviceSpheres::candidates() const {
@@ -308,11 +324,10 @@ std::size_t DeviceSpheres::bytes() const {
   std::size_t sum = 0;
   for (const auto& [name, column] : columns_) sum += column.bytes();
   for (const opencl::DeviceBuffer* b :
-       {&motion_[0], &motion_[1], &spin_[0], &spin_[1], &listed_, &wall_codes_, &wall_slides_, &wall_rolls_, &cell_of_,
-        &cell_first_, &cursor_, &order_, &place_, &scratch_, &found_})
+       {&motion_[0], &motion_[1], &spin_[0], &spin_[1], &listed_, &wall_faces_, &wall_poses_, &gaps_, &corners_,
+        &cell_of_, &cell_first_, &cursor_, &order_, &place_, &scratch_, &found_})
     sum += b->bytes();
-  for (const Lists* l : {&lists_, &fresh_})
-    sum += l->counts.bytes() + l->partners.bytes() + l->slides.bytes() + l->rolls.bytes();
+  for (const Lists* l : {&lists_, &fresh_, &face_lists_, &fresh_face_lists_}) sum += l->bytes();
   return sum;
 }
 

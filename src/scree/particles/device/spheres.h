@@ -21,6 +21,12 @@ struct DeviceFindings {
   std::int64_t undone = 0;  // steps given that were not done, because one before them went wrong
 };
 
+/// Where walls are in a step, and how far at most any part of them near particles goes in it [m].
+struct WallsOfStep {
+  std::vector<sc_wall_pose> poses;
+  double way = 0;
+};
+
 /// The engine of a system of spheres on a device. It gives the same bits as the CPU's: the physics is the same text,
 /// and sums go in the order of ids.
 class DeviceSpheres {
@@ -30,8 +36,8 @@ class DeviceSpheres {
   DeviceSpheres(const opencl::Device& device, const ParticleSystem& system, const ContactLists& lists,
                 const Fields& fields, double max_overlap);
 
-  /// Gives a step to the device; it may be done later.
-  void step(const sc_move& move, const sc_contact_time& time);
+  /// Gives a step to the device; it is done later.
+  void step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls);
 
   /// True if so many steps are waiting that settle() is due.
   bool is_full() const { return given_.size() >= most_given; }
@@ -54,11 +60,21 @@ class DeviceSpheres {
 
   struct Lists {
     int room = 0;
-    opencl::DeviceBuffer counts, partners, slides, rolls;
+    opencl::DeviceBuffer counts, entries, slides, rolls;
+
+    std::size_t bytes() const { return counts.bytes() + entries.bytes() + slides.bytes() + rolls.bytes(); }
+  };
+  /// One side of a contact that acts.
+  struct Side {
+    std::size_t particle;
+    std::uint32_t entry;
+    const double *slide, *roll;
+    double sign;  // of directions
   };
   struct Given {
     sc_move move;
     sc_contact_time time;
+    WallsOfStep walls;
   };
 
   void check_kernels();
@@ -67,12 +83,20 @@ class DeviceSpheres {
   void send_particles(const Particles& particles);
   void send_contacts(const ParticleSystem& system);
   void send_walls(const ParticleSystem& system);
+  void send_poses();
+  Lists sent_sides(const std::vector<Side>& sides) const;
+  template <class Visit>
+  void for_each_acting(const Lists& lists, Visit&& visit) const;
   Lists make_room(int room) const;
   void make_lists();
   void sort_particles();
   void permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t part = 0);
   void scan(opencl::DeviceBuffer& values, int count);
+  template <class Search>
+  void search_into(Lists& lists, Search&& search);
+  void carry_over(Lists& from, Lists& to, bool of_faces);
   void find_partners();
+  void find_faces();
   void fit_cells();
   void adapt_skin();
   void launch(const Given& given, int number);
@@ -87,7 +111,7 @@ class DeviceSpheres {
   bool rolls_;
   std::size_t n_;
   int materials_;
-  std::size_t walls_;
+  std::size_t faces_, walls_;
   sc_device_step constants_{};
   double range_ = 0;   // two bodies whose centres are further apart are not listed, skin left out [m]
   double beyond_ = 0;  // how far bodies act beyond their effect surfaces [m]
@@ -97,11 +121,14 @@ class DeviceSpheres {
   std::map<std::string_view, std::size_t> row_bytes_;
   opencl::DeviceBuffer motion_[2], spin_[2];  // the present state, and the next
   int now_ = 0;                               // which of them is the present one
-  opencl::DeviceBuffer listed_, laws_, wall_faces_, wall_poses_, wall_codes_, wall_slides_, wall_rolls_;
+  opencl::DeviceBuffer listed_, laws_;
+  opencl::DeviceBuffer wall_faces_, wall_poses_;  // poses: of all walls, step by step
+  opencl::DeviceBuffer gaps_, corners_;           // of the listed faces, in the present step
   opencl::DeviceBuffer cell_of_, cell_first_, cursor_, order_, place_, scratch_, found_, stale_, counters_;
-  Lists lists_, fresh_;
+  Lists lists_, fresh_, face_lists_, fresh_face_lists_;
   std::vector<Given> given_;
   std::int64_t steps_listed_ = 0;  // since the lists were made
+  double walls_travelled_ = 0;     // no wall goes further from then to the end of the step launched last [m]
   bool listed_already_ = false;
 };
 

@@ -70,11 +70,6 @@ void DeviceSpheres::sort_particles() {
   }
   now_ = 1 - now_;
   for (auto& [name, column] : columns_) permute(column, row_bytes_.at(name));
-  for (std::size_t w = 0; w < walls_; ++w) {
-    permute(wall_codes_, sizeof(std::uint32_t), w);
-    permute(wall_slides_, 4 * sizeof(double), w);
-    if (rolls_) permute(wall_rolls_, 4 * sizeof(double), w);
-  }
 }
 
 /// A list that lasts long costs candidates that do not touch, a short one costs making: hold the balance.
@@ -85,36 +80,69 @@ void DeviceSpheres::adapt_skin() {
   skin_ = std::clamp(skin_, shortest_skin_, longest_skin_);
 }
 
-void DeviceSpheres::find_partners() {
+/// Runs a search into lists with more room until all that it finds has place; the search leaves the largest number that
+/// a particle has in the first of the counters.
+template <class Search>
+void DeviceSpheres::search_into(Lists& lists, Search&& search) {
   const int none[2] = {0, 0};
   for (;;) {
     counters_.write(none, sizeof none);
     sc_counts sizes = counts();
-    sizes.room = fresh_.room;
-    program_.run("sc_find_partners", n_, group, constants_.box, sizes, skin_ + beyond_, motion_[now_],
-                 columns_.at("effect_excess"), columns_.at("id"), cell_first_, fresh_.counts, fresh_.partners,
-                 counters_);
+    sizes.room = lists.room;
+    search(sizes);
     const int most = counters_.values<std::int32_t>(1)[0];
-    if (most <= fresh_.room) return;
-    fresh_ = make_room(most + most / 8 + 1);
+    if (most <= lists.room) return;
+    lists = make_room(most + most / 8 + 1);
   }
+}
+
+void DeviceSpheres::find_partners() {
+  search_into(fresh_, [&](const sc_counts& sizes) {
+    program_.run("sc_find_partners", n_, group, constants_.box, sizes, skin_ + beyond_, motion_[now_],
+                 columns_.at("effect_excess"), columns_.at("id"), cell_first_, fresh_.counts, fresh_.entries,
+                 counters_);
+  });
+}
+
+void DeviceSpheres::find_faces() {
+  Lists& to = fresh_face_lists_;
+  search_into(to, [&](const sc_counts& sizes) {
+    program_.run("sc_find_faces", n_, group, sizes, skin_ + beyond_, motion_[now_], columns_.at("effect_excess"),
+                 wall_faces_, wall_poses_, to.counts, to.entries, counters_);
+  });
+}
+
+/// Gives fresh lists the memory of those before, and their place.
+void DeviceSpheres::carry_over(Lists& from, Lists& to, bool of_faces) {
+  const int none[2] = {0, 0};
+  counters_.write(none, sizeof none);
+  program_.run("sc_carry_over", n_, group, static_cast<int>(n_), static_cast<int>(of_faces), order_, place_,
+               from.counts, from.entries, from.slides, from.rolls, to.counts, to.entries, to.slides, to.rolls,
+               counters_);
+  // A wall may jump away from a contact; two particles cannot part so fast.
+  const bool lost = counters_.values<std::int32_t>(1)[0] != 0;
+  if (lost && !of_faces) throw std::logic_error("a contact that acts is on no list of the device");
+  std::swap(from, to);
+  if (to.room < from.room) to = make_room(from.room);
 }
 
 void DeviceSpheres::make_lists() {
   adapt_skin();
   sort_particles();
   find_partners();
-  const int n = static_cast<int>(n_);
-  const opencl::DeviceBuffer& lost = counters_;
-  const int none[2] = {0, 0};
-  counters_.write(none, sizeof none);
-  program_.run("sc_carry_over", n_, group, n, order_, place_, lists_.counts, lists_.partners, lists_.slides,
-               lists_.rolls, fresh_.counts, fresh_.partners, fresh_.slides, fresh_.rolls, lost);
-  program_.run("sc_note_places", n_, group, n, motion_[now_], listed_);
-  if (lost.values<std::int32_t>(1)[0] != 0) throw std::logic_error("a contact that acts is on no list of the device");
-  std::swap(lists_, fresh_);
-  if (fresh_.room < lists_.room) fresh_ = make_room(lists_.room);
+  carry_over(lists_, fresh_, false);
+  if (faces_ > 0) {
+    find_faces();
+    carry_over(face_lists_, fresh_face_lists_, true);
+    const std::size_t slots = n_ * static_cast<std::size_t>(face_lists_.room);
+    if (corners_.bytes() < slots * sizeof(std::int32_t)) {
+      gaps_ = opencl::DeviceBuffer(device_, slots * 4 * sizeof(double));
+      corners_ = opencl::DeviceBuffer(device_, slots * sizeof(std::int32_t));
+    }
+  }
+  program_.run("sc_note_places", n_, group, static_cast<int>(n_), motion_[now_], listed_);
   steps_listed_ = 0;
+  walls_travelled_ = 0;
   listed_already_ = true;
 }
 
