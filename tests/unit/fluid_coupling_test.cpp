@@ -125,7 +125,7 @@ subcycles = 1
         EXPECT_LT(std::abs(v - u) / 0.1, std::pow(1 + 0.05, -60) * 1.01);  // slower than this is no implicit rule
       }
       // Nothing else acts on them: they receive what the fluid has counted on.
-      EXPECT_LT(std::abs(under_way(*s.coupling(), s.system().particles)[0]), 1e-13 * solids * 0.1);
+      EXPECT_LT(std::abs(under_way(*s.coupling(), s.system().particles)[0]), 1e-12 * solids * 0.1);
     }
 }
 
