@@ -259,6 +259,16 @@ class Coupled(Ranks):
         numpy.testing.assert_allclose(self.fraction("on2", 1), self.fraction("whole", 1), atol=1e-6)
         self.assertLess(shared["ledger"]["coupling_error"], 1e-12 * 9.81 * 3e-4 * 0.006)
 
+    def test_copies_on_other_processes_turn_as_their_originals_do(self):
+        # Else contacts across the border of two processes are not equal and opposite.
+        case = UNIFORM.replace("velocity = [3, -2, 1]", 'velocity = { type = "random", deviation = 0.3 }')
+        case = case.replace("restitution = 0.8", "restitution = 0.8\nfriction = 0.3").replace("1e-3", "0.1")
+        case = case.replace('"linear"', '"linear"\ntangential = "history"').replace("end = 0.002", "end = 0.01\nmax_overlap = 0.9")
+        case = case.replace('drag = "none"', 'drag = "di_felice"\nviscous_torque = "on"')
+        shared = self.run_on(2, case, "on2")
+        self.assertGreater(shared["contacts"], 1000)
+        self.assertLess(abs(shared["ledger"]["momentum_error"]), 1e-18)
+
     def test_a_uniform_flow_stays_uniform_on_any_number_of_processes(self):
         for ranks in (1, 2, 3):
             name = f"on{ranks}"

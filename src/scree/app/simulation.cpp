@@ -185,6 +185,8 @@ void Simulation::turn_by_fluid_around(Particles& particles, double dt) const {
 void Simulation::advance_particles() {
   evaluate_own_fields(clock_.now());
   turn_by_fluid_around(system_.particles, move_now().kick);
+  // Copies on other ranks have to turn with them.
+  if (coupling_ ? system_.particles.turned() : fields_.forces.turn()) lists_.ghosts_current = false;
   const Stopwatch watch(stages_, "contacts and motion");
   const sc_field* field = fields_matter() ? field_.data() : nullptr;
   const SweepView view = view_of(system_, lists_, move_now(), contact_time_now(), field);
