@@ -34,21 +34,20 @@ double fluid_step(const Case& c, const FluidRegion& region, const std::vector<Bo
   return step;
 }
 
-/// Inertia of the fluid that makes way for packed particles over that of the lightest, with the mass that a sphere
-/// carries along.
-double inertia_of_way(const Case& c, const std::vector<BodyKind>& kinds) {
+/// The density of the fluid over that of the lightest particles, with the mass that a sphere carries along.
+double heaviness_of_fluid(const Case& c, const std::vector<BodyKind>& kinds) {
   const double carried = c.coupling.added_mass ? 0.5 * c.fluid.density : 0;
   double heaviness = 0;
   for (const BodyKind& kind : kinds)
     if (kind.free) heaviness = std::max(heaviness, c.fluid.density / (kind.density + carried));
-  return (1 - dense) / dense * heaviness;
+  return heaviness;
 }
 
 }  // namespace
 
 double longest_step_in_bed(const Case& c, const std::vector<BodyKind>& kinds, double contact_time) {
   constexpr double sluggish = 0.07, answered = 0.25;
-  return inertia_of_way(c, kinds) > sluggish ? answered * contact_time : INFINITY;
+  return inertia_of_way(1 - dense, heaviness_of_fluid(c, kinds)) > sluggish ? answered * contact_time : INFINITY;
 }
 
 CouplingSettings build_coupling_settings(const Case& c, const std::vector<BodyKind>& kinds, const DerivedStep& step) {

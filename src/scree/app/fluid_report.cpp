@@ -108,9 +108,8 @@ std::string growing_waves(const Case& c, double courant, double cell_reynolds) {
   const double largest = 1.7 / (courant * courant * courant);
   if (!central || c.fluid.turbulence.model != "none" || cell_reynolds <= largest) return "";
   return fmt::format(
-      "fluid.convection = '{}' lets waves of a few cells grow where the Reynolds number of a cell is above {:.3g}, at "
-      "a "
-      "Courant number of {:.2g} (docs/fluid.md): 'van_leer', a shorter time step, or narrower cells",
+      "fluid.convection = '{}' lets waves of a few cells grow where the Reynolds number of a cell is above {:.3g}, "
+      "at a Courant number of {:.2g} (docs/fluid.md): 'van_leer', a shorter time step, or narrower cells",
       c.fluid.convection, largest, courant);
 }
 

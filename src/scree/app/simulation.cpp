@@ -174,19 +174,15 @@ void Simulation::evaluate_own_fields(double time) {
   may_fail(fields_) || !prescribed_.empty() ? together(look) : look();
 }
 
-void Simulation::turn_by_fluid_around(Particles& particles, double dt) const {
-  if (coupling_)
-    turn_by_stream(*coupling_, particles, dt);
-  else
-    turn_by_flow(fields_, particles, clock_.now(), dt);
+bool Simulation::turn_by_fluid_around(Particles& particles, double dt) const {
+  return coupling_ ? turn_by_stream(*coupling_, particles, dt) : turn_by_flow(fields_, particles, clock_.now(), dt);
 }
 
 /// Contacts, kick and drift in one pass: each tile of particles passes through the cache once.
 void Simulation::advance_particles() {
   evaluate_own_fields(clock_.now());
-  turn_by_fluid_around(system_.particles, move_now().kick);
   // Copies on other ranks have to turn with them.
-  if (coupling_ ? system_.particles.turned() : fields_.forces.turn()) lists_.ghosts_current = false;
+  if (turn_by_fluid_around(system_.particles, move_now().kick)) lists_.ghosts_current = false;
   const Stopwatch watch(stages_, "contacts and motion");
   const sc_field* field = fields_matter() ? field_.data() : nullptr;
   const SweepView view = view_of(system_, lists_, move_now(), contact_time_now(), field);

@@ -196,7 +196,7 @@ class Simulation {
   void help(Call what);
   void gather();
   void take_own_sample();
-  void turn_by_fluid_around(Particles& particles, double dt) const;
+  bool turn_by_fluid_around(Particles& particles, double dt) const;
   void sample_whole();
   Measured measure_share();
   RowFacts look_at_share();

@@ -45,8 +45,8 @@ sc_vec friction_there(const StreamFields& fields, const double* read) {
   return fields.rubbed() ? three(read + fields.width() - 4) : sc_zero_vec();
 }
 
-void turn_by_stream(const FluidCoupling& c, Particles& p, double dt) {
-  if (!p.turned()) return;
+bool turn_by_stream(const FluidCoupling& c, Particles& p, double dt) {
+  if (!p.turned()) return false;
   launch(p.size(), [&](std::size_t i) {
     const double* g = p.gradient.row(i);
     if (g[9] == 0) return;  // it has not met the fluid yet
@@ -58,6 +58,7 @@ void turn_by_stream(const FluidCoupling& c, Particles& p, double dt) {
     there.voidage = g[9];
     turn_by_fluid(c.settings.forces, p, i, there, dt);
   });
+  return true;
 }
 
 }  // namespace scree

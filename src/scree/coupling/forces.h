@@ -31,7 +31,7 @@ FluidThere stream_there(const FluidCoupling& c, const StreamFields& fields, cons
 /// The force of friction within the fluid per volume from the same numbers [N/m3]; zero where it does not act.
 sc_vec friction_there(const StreamFields& fields, const double* read);
 
-/// Torques of the fluid as it was met at its last step act on all particles for `dt` [s].
-void turn_by_stream(const FluidCoupling& c, Particles& particles, double dt);
+/// Torques of the fluid as it was met at its last step act on all particles for `dt` [s]; whether there are any.
+bool turn_by_stream(const FluidCoupling& c, Particles& particles, double dt);
 
 }  // namespace scree

@@ -5,14 +5,15 @@
 
 namespace scree {
 
+double inertia_of_way(double solids, double heaviness) { return heaviness * solids / (1 - solids); }
+
 double part_made_way_for(double solids, double heaviness, double relaxation) {
   // By analysis of either loop, 2 inertia - 0.3 and pull - 0.3 steps of lag are enough.
   constexpr double harmless = 0.3, longest = 6;
   const double e = 1 - solids;
-  const double inertia = heaviness * solids / e;  // of what makes way, over that of the solids
   // Of pressure in the step, over the momentum of the solids.
   const double pull = relaxation * solids * (1 + e) / (e * e);
-  return 1 / (1 + std::clamp(2 * inertia + pull - harmless, 0.0, longest));
+  return 1 / (1 + std::clamp(2 * inertia_of_way(solids, heaviness) + pull - harmless, 0.0, longest));
 }
 
 void make_way(MakingWay& way, const Mesh& m, const VectorField& flux, FluidLoad& load) {

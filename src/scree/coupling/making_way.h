@@ -16,6 +16,10 @@ struct MakingWay {
   VectorField owed;  // volume that has passed the faces and that the fluid has not made way for yet [m3]
 };
 
+/// Inertia of the fluid that makes way for solids, over theirs, where `solids` of a cell's volume is solid and the
+/// fluid has `heaviness` times their density.
+double inertia_of_way(double solids, double heaviness);
+
 /// The part of what is owed that the fluid makes way for in a step, where at most `solids` of a cell's volume is solid.
 /// `heaviness`: the density of the fluid over that of the lightest particles; `relaxation`: the step over the shortest
 /// time in which drag stops one. 1 where both are small, as in most gases; never less than a seventh.

@@ -162,8 +162,8 @@ void evaluate(const Fields& fields, const Particles& particles, double time, con
   }
 }
 
-void turn_by_flow(const Fields& f, Particles& particles, double time, double dt) {
-  if (!f.forces.turn()) return;
+bool turn_by_flow(const Fields& f, Particles& particles, double time, double dt) {
+  if (!f.forces.turn()) return false;
   const std::int64_t n = static_cast<std::int64_t>(particles.size());
 #pragma omp parallel if (n >= 2 * least_share)
   {
@@ -176,6 +176,7 @@ void turn_by_flow(const Fields& f, Particles& particles, double time, double dt)
       turn_by_fluid(f.forces, particles, p, there, dt);
     }
   }
+  return true;
 }
 
 }  // namespace scree

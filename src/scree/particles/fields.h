@@ -53,8 +53,9 @@ bool act_locally(const Fields& fields);
 /// Angular velocity of the frame at time t [rad/s].
 sc_vec frame_rotation(const Fields& fields, double time);
 
-/// The torques of a prescribed flow act on all particles for `dt` [s] at the places and orientations they have.
-void turn_by_flow(const Fields& fields, Particles& particles, double time, double dt);
+/// The torques of a prescribed flow act on all particles for `dt` [s] at the places and orientations they have; whether
+/// there are any.
+bool turn_by_flow(const Fields& fields, Particles& particles, double time, double dt);
 
 /// Velocity of the undisturbed flow at a point [m/s]; zero without a flow.
 std::array<double, 3> flow_velocity(Fields& fields, const double* position, double time);
