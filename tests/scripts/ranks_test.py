@@ -19,6 +19,41 @@ from ranks_common import (CROWD, ENVIRONMENT, HARD_SHAPES, HARD_SPHERES, MPIEXEC
 # A duct with a step, a body in it and a bed behind it, all of which the cuts between ranks go through.
 FLUID = (pathlib.Path(__file__).parent / "ranks_fluid.toml").read_text()
 
+# A crowd that spins and collides in a viscous stream.
+TURNED = """
+[simulation]
+end = 0.006
+time_step = 2e-5
+max_overlap = 0.9
+[domain]
+min = [0, 0, 0]
+max = [0.02, 0.02, 0.02]
+periodic = [true, true, true]
+[contact]
+tangential = "history"
+[[materials]]
+name = "grain"
+density = 2500
+stiffness = 300
+restitution = 0.8
+friction = 0.3
+[[particles]]
+material = "grain"
+diameter = 0.002
+insert = "random"
+count = 150
+velocity = { type = "random", deviation = 0.3 }
+[flow]
+type = "uniform"
+velocity = [0.1, 0, 0]
+density = 10
+viscosity = 0.1
+drag = "schiller_naumann"
+viscous_torque = "on"
+[output]
+frames = 0.006
+"""
+
 
 class OnSeveralRanks(Ranks):
     def assert_shared(self, summary, ranks, most_messages):
@@ -58,6 +93,14 @@ class OnSeveralRanks(Ranks):
         parts = self.run_on(on[1], case, "parts", "--restart", "latest")
         self.assertEqual(parts["state_hash"], whole["state_hash"])
         self.same_files("whole", "parts")
+
+    def test_spheres_that_a_flow_turns_have_the_same_bits_on_any_number(self):
+        alone = self.run_on(0, TURNED, "alone")
+        self.assertGreater(alone["contacts"], 300)
+        for n in (2, 3):
+            shared = self.run_on(n, TURNED, f"on{n}")
+            self.assertEqual(shared["state_hash"], alone["state_hash"])
+            self.assertEqual(shared["ledger"], alone["ledger"])
 
     def test_goes_on_with_another_number(self):
         self.goes_on(CROWD, 0.01)
