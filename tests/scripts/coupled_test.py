@@ -228,6 +228,8 @@ class Coupled(Ranks):
         pieces = self.run_on(0, case, "pieces", "--restart", "latest", *short)
         self.assertEqual((pieces["state_hash"], pieces["fluid_hash"]), (whole["state_hash"], whole["fluid_hash"]))
         shared = self.run_on(2, case, "on2", "--restart", "latest", *short)
+        with open(self.work / "whole" / "series.csv") as file:
+            self.assertGreater(float(list(csv.DictReader(file))[-1]["fluid_lag"]), 0.1)
         # The piece that was stopped has ended with a frame.
         numpy.testing.assert_allclose(self.fraction("on2", 2), self.fraction("whole", 1), atol=1e-9)
         self.assertLess(shared["ledger"]["coupling_error"], 1e-12 * 9.81 * 3e-4 * 0.006)
