@@ -21,11 +21,16 @@ SC_FN sc_span sc_span_of(int cell, int cells, int periodic) {
   return s;
 }
 
+SC_FN sc_span sc_span_along(sc_cells cells, int axis, real x) {
+  return sc_span_of(sc_cell_along(cells, axis, x), cells.count[axis], cells.around[axis]);
+}
+
 SC_FN int sc_wrap_cell(int cell, int cells) { return cell < 0 ? cell + cells : (cell >= cells ? cell - cells : cell); }
 
 /// Lists all particles whose effect surfaces are nearer than `skin` to that of each, in the order of their ids; `most` gets
 /// the largest number. Where that is more than there is room for, the rest is left out.
-__kernel void sc_find_partners(const sc_box box, const sc_counts sizes, const real skin, __global const double4* motion,
+__kernel void sc_find_partners(const sc_box box, const sc_cells cells, const sc_counts sizes, const real skin,
+                               __global const double4* motion,
                                __global const real* excess, __global const long* id, __global const int* cell_first,
                                __global int* counts, __global uint* partners, __global int* most) {
   const size_t i = get_global_id(0);
@@ -33,18 +38,14 @@ __kernel void sc_find_partners(const sc_box box, const sc_counts sizes, const re
   if (i >= n) return;
   const double4 own = motion[2 * i];
   const real own_mass = motion[2 * i + 1].w, reach = own.w + excess[i] + skin;
-  const int x = sc_cell_along(own.x, box.low[0], box.cell[0], box.cells[0]);
-  const int y = sc_cell_along(own.y, box.low[1], box.cell[1], box.cells[1]);
-  const int z = sc_cell_along(own.z, box.low[2], box.cell[2], box.cells[2]);
-  const sc_span sx = sc_span_of(x, box.cells[0], box.period[0] > R(0));
-  const sc_span sy = sc_span_of(y, box.cells[1], box.period[1] > R(0));
-  const sc_span sz = sc_span_of(z, box.cells[2], box.period[2] > R(0));
+  const sc_span sx = sc_span_along(cells, 0, own.x), sy = sc_span_along(cells, 1, own.y);
+  const sc_span sz = sc_span_along(cells, 2, own.z);
   int count = 0;
   for (int c = 0; c < sx.count * sy.count * sz.count; ++c) {
-    const int cx = sc_wrap_cell(sx.first + c % sx.count, box.cells[0]);
-    const int cy = sc_wrap_cell(sy.first + c / sx.count % sy.count, box.cells[1]);
-    const int cz = sc_wrap_cell(sz.first + c / (sx.count * sy.count), box.cells[2]);
-    const int cell = (cz * box.cells[1] + cy) * box.cells[0] + cx;
+    const int cx = sc_wrap_cell(sx.first + c % sx.count, cells.count[0]);
+    const int cy = sc_wrap_cell(sy.first + c / sx.count % sy.count, cells.count[1]);
+    const int cz = sc_wrap_cell(sz.first + c / (sx.count * sy.count), cells.count[2]);
+    const int cell = (cz * cells.count[1] + cy) * cells.count[0] + cx;
     for (int j = cell_first[cell]; j < cell_first[cell + 1]; ++j) {
       const double4 other = motion[2 * j];
       const sc_vec d = sc_branch(box, own, other);
@@ -88,18 +89,22 @@ __kernel void sc_find_faces(const sc_counts sizes, const real skin, __global con
 }
 
 /// Gives the contacts that act their memory from the lists of before; `order` says where each particle was, `place` where
-/// each has gone. Faces keep their numbers. A contact that is on no list any more is noted in `lost`.
-__kernel void sc_carry_over(const int n, const int of_faces, __global const int* order, __global const int* place,
+/// each has gone, -1 if he is here no more; who has come has had no place among the `n_before`. Faces keep their numbers. A
+/// contact that is on no list any more is noted in `lost`.
+__kernel void sc_carry_over(const int n, const int n_before, const int of_faces, __global const int* order,
+                            __global const int* place,
                             __global const int* old_counts, __global const uint* old_entries,
                             __global const double4* old_slides, __global const double4* old_rolls, __global const int* counts,
                             __global uint* entries, __global double4* slides, __global double4* rolls, __global int* lost) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)n) return;
   const size_t was = (size_t)order[i];
+  if (was >= (size_t)n_before) return;
   for (int k = 0; k < old_counts[was]; ++k) {
-    const size_t from = (size_t)k * (size_t)n + was;
+    const size_t from = (size_t)k * (size_t)n_before + was;
     const uint entry = old_entries[from];
     if (entry >> SC_CODE_SHIFT == 0u) continue;
+    if (!of_faces && place[entry & SC_PARTNER] < 0) continue;
     const uint partner = of_faces ? entry & SC_PARTNER : (uint)place[entry & SC_PARTNER];
     int to = 0;
     while (to < counts[i] && (entries[(size_t)to * (size_t)n + i] & SC_PARTNER) != partner) ++to;
@@ -111,6 +116,23 @@ __kernel void sc_carry_over(const int n, const int of_faces, __global const int*
     entries[slot] = partner | (entry & ~SC_PARTNER);
     slides[slot] = old_slides[from];
     if (SC_ROLLS) rolls[slot] = old_rolls[from];
+  }
+}
+
+/// Copies the lists of some particles, named by `rows`, into lists of these alone.
+__kernel void sc_take_lists(const int count, __global const int* rows, const int n, __global const int* counts,
+                            __global const uint* entries, __global const double4* slides, __global const double4* rolls,
+                            __global int* part_counts, __global uint* part_entries, __global double4* part_slides,
+                            __global double4* part_rolls) {
+  const size_t i = get_global_id(0);
+  if (i >= (size_t)count) return;
+  const size_t row = (size_t)rows[i];
+  part_counts[i] = counts[row];
+  for (int k = 0; k < counts[row]; ++k) {
+    const size_t from = (size_t)k * (size_t)n + row, to = (size_t)k * (size_t)count + i;
+    part_entries[to] = entries[from];
+    part_slides[to] = slides[from];
+    if (SC_ROLLS) part_rolls[to] = rolls[from];
   }
 }
 

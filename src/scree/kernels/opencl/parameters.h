@@ -31,14 +31,23 @@ typedef struct {
   real shear_origin;  // [m]
 } sc_flow;
 
-/// The box, and the cells that particles are sorted into.
+/// The box.
 typedef struct {
-  real low[3], high[3];
+  real low[3], high[3];            // infinitely far beyond open faces [m]
   real period[3], half_period[3];  // 0 and infinite where the box is not periodic
-  real cell[3];                    // width of a cell [m]
-  int cells[3];                    // along each axis
-  int unused;
 } sc_box;
+
+/// The cells that particles are sorted into; who is beyond them belongs to the outermost.
+typedef struct {
+  real from[3], width[3];  // where they begin, and how wide one is [m]
+  int count[3];            // along each axis
+  int around[3];           // the first one comes after the last
+} sc_cells;
+
+/// A part of space, borders included [m].
+typedef struct {
+  real min[3], max[3];
+} sc_region;
 
 /// How many there are.
 typedef struct {

@@ -5,21 +5,25 @@
 /// Numbers that one group adds up in a scan.
 #define SC_SCAN_BLOCK (SC_GROUP * SC_SCAN_OWN)
 
-SC_FN int sc_cell_along(real x, real low, real width, int cells) {
-  const int c = (int)((x - low) / width);
-  return c < 0 ? 0 : (c >= cells ? cells - 1 : c);
+SC_FN int sc_cell_along(sc_cells cells, int axis, real x) {
+  const int last = cells.count[axis] - 1;
+  const real c = (x - cells.from[axis]) / cells.width[axis];
+  return c > R(0) ? (c < (real)last ? (int)c : last) : 0;
 }
 
-/// The cell of each particle, and how many each cell has; `sizes` must be zero.
-__kernel void sc_count_cells(const sc_box box, const int n, __global const double4* motion, __global int* cell_of,
-                             __global int* sizes) {
+/// The cell of each particle, and how many each cell has; `sizes` must be zero. Those who are gone are in none, and get no
+/// place.
+__kernel void sc_count_cells(const sc_cells cells, const int n, __global const double4* motion, __global const int* gone,
+                             __global int* cell_of, __global int* sizes, __global int* place) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)n) return;
+  if (gone[i]) {
+    cell_of[i] = place[i] = -1;
+    return;
+  }
   const double4 x = motion[2 * i];
-  const int cx = sc_cell_along(x.x, box.low[0], box.cell[0], box.cells[0]);
-  const int cy = sc_cell_along(x.y, box.low[1], box.cell[1], box.cells[1]);
-  const int cz = sc_cell_along(x.z, box.low[2], box.cell[2], box.cells[2]);
-  const int cell = (cz * box.cells[1] + cy) * box.cells[0] + cx;
+  const int cx = sc_cell_along(cells, 0, x.x), cy = sc_cell_along(cells, 1, x.y), cz = sc_cell_along(cells, 2, x.z);
+  const int cell = (cz * cells.count[1] + cy) * cells.count[0] + cx;
   cell_of[i] = cell;
   atomic_inc(sizes + cell);
 }
@@ -58,7 +62,7 @@ __kernel void sc_add_blocks(const int n, __global int* values, __global const in
 /// Puts particles into their cells, in any order; `cursor` begins as the first place of each cell.
 __kernel void sc_scatter(const int n, __global const int* cell_of, __global int* cursor, __global int* order) {
   const size_t i = get_global_id(0);
-  if (i < (size_t)n) order[atomic_inc(cursor + cell_of[i])] = (int)i;
+  if (i < (size_t)n && cell_of[i] >= 0) order[atomic_inc(cursor + cell_of[i])] = (int)i;
 }
 
 /// Puts the particles of each cell in the order of their ids.
@@ -80,11 +84,35 @@ __kernel void sc_invert(const int n, __global const int* order, __global int* pl
   if (i < (size_t)n) place[order[i]] = (int)i;
 }
 
-/// Puts n rows of `words` 32-bit words in order, those that follow `part` times as many.
-__kernel void sc_permute(const int n, const int words, const int part, __global const int* order,
-                         __global const uint* from, __global uint* to) {
+/// Takes n rows of `words` 32-bit words from where `order` says.
+__kernel void sc_take_rows(const int n, const int words, __global const int* order, __global const uint* from,
+                           __global uint* to) {
   const size_t w = get_global_id(0);
   if (w >= (size_t)n * (size_t)words) return;
-  const size_t row = (size_t)part * (size_t)n + (size_t)order[w / (size_t)words];
-  to[w] = from[row * (size_t)words + w % (size_t)words];
+  to[w] = from[(size_t)order[w / (size_t)words] * (size_t)words + w % (size_t)words];
+}
+
+/// Puts n rows of `words` 32-bit words where `rows` says.
+__kernel void sc_put_rows(const int n, const int words, __global const int* rows, __global const uint* from,
+                          __global uint* to) {
+  const size_t w = get_global_id(0);
+  if (w >= (size_t)n * (size_t)words) return;
+  to[(size_t)rows[w / (size_t)words] * (size_t)words + w % (size_t)words] = from[w];
+}
+
+/// Notes in `rows`, in any order, who is in one of the regions or reaches into it; `found` counts them.
+__kernel void sc_find_in_regions(const int n, const int count, __global const sc_region* regions,
+                                 __global const double4* motion, __global const real* excess, __global int* rows,
+                                 __global int* found) {
+  const size_t i = get_global_id(0);
+  if (i >= (size_t)n) return;
+  const double4 x = motion[2 * i];
+  const real reach = x.w + excess[i];
+  int in = 0;
+  for (int k = 0; k < count; ++k) {
+    const sc_region r = regions[k];
+    in |= x.x + reach >= r.min[0] && x.x - reach <= r.max[0] && x.y + reach >= r.min[1] && x.y - reach <= r.max[1] &&
+          x.z + reach >= r.min[2] && x.z - reach <= r.max[2];
+  }
+  if (in) rows[atomic_inc(found)] = (int)i;
 }

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "scree/compute/opencl/text.h"
-#include "scree/particles/keyed_contacts.h"
 #include "scree/particles/reach.h"
 
 namespace scree {
@@ -58,8 +57,6 @@ opencl::DeviceBuffer sent(const opencl::Device& device, const T* values, std::si
   return buffer;
 }
 
-constexpr bool is_state(std::string_view name) { return name == "motion" || name == "spin"; }
-
 }  // namespace
 
 DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem& s, const ContactLists& lists,
@@ -81,6 +78,8 @@ DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem&
   shortest_skin_ = 0.08 * sizes.mean_radius;
   longest_skin_ = sizes.mean_radius;
   constants_.box = box_of(s.domain);
+  least_ = s.domain.min;
+  greatest_ = s.domain.max;
   constants_.flow = flow_of(fields);
   constants_.fields = act_locally(fields);
   constants_.margin = lists.margin;
@@ -90,8 +89,8 @@ DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem&
   send_particles(s.particles);
   send_walls(s);
   send_contacts(s);
-  fresh_ = make_room(first_room);
-  fresh_face_lists_ = make_room(faces_ > 0 ? std::min(static_cast<int>(faces_), first_face_room) : 0);
+  fresh_ = make_room(n_, first_room);
+  fresh_face_lists_ = make_room(n_, faces_ > 0 ? std::min(static_cast<int>(faces_), first_face_room) : 0);
 }
 
 std::size_t DeviceSpheres::groups() const { return (n_ + group - 1) / group; }
@@ -100,10 +99,11 @@ sc_counts DeviceSpheres::counts() const {
   return {static_cast<int>(n_), lists_.room, materials_, static_cast<int>(faces_), static_cast<int>(walls_), 0};
 }
 
-DeviceSpheres::Lists DeviceSpheres::make_room(int room) const {
-  const std::size_t slots = n_ * static_cast<std::size_t>(room);
-  return {room,
-          {device_, n_ * sizeof(std::int32_t)},
+DeviceSpheres::Lists DeviceSpheres::make_room(std::size_t particles, int room) const {
+  const std::size_t slots = particles * static_cast<std::size_t>(room);
+  return {particles,
+          room,
+          {device_, particles * sizeof(std::int32_t)},
           {device_, slots * sizeof(std::uint32_t)},
           {device_, slots * 4 * sizeof(double)},
           {device_, rolls_ ? slots * 4 * sizeof(double) : 0}};
@@ -114,20 +114,12 @@ void DeviceSpheres::send_particles(const Particles& particles) {
     using Value = typename std::decay_t<decltype(column)>::value_type;
     const std::size_t width = static_cast<std::size_t>(std::decay_t<decltype(column)>::components);
     row_bytes_[name] = width * sizeof(Value);
-    opencl::DeviceBuffer values = sent(device_, column.values.data(), n_ * width);
-    if (is_state(name)) {
-      opencl::DeviceBuffer* both = name == "motion" ? motion_ : spin_;
-      both[0] = std::move(values);
-      both[1] = opencl::DeviceBuffer(device_, both[0].bytes());
-    } else {
-      columns_[name] = std::move(values);
-    }
+    if (name != "motion" && name != "spin") columns_[name] = {};
   });
-  listed_ = opencl::DeviceBuffer(device_, n_ * 4 * sizeof(double));
-  for (opencl::DeviceBuffer* places : {&cell_of_, &order_, &place_})
-    *places = opencl::DeviceBuffer(device_, n_ * sizeof(std::int32_t));
-  scratch_ = opencl::DeviceBuffer(device_, n_ * 4 * sizeof(double));
-  found_ = opencl::DeviceBuffer(device_, groups() * sizeof(sc_findings));
+  reserve(n_);
+  particles.for_each_field([&](std::string_view name, const auto& values, auto...) {
+    column(name).write(values.values.data(), n_ * row_bytes_.at(name));
+  });
   stale_ = opencl::DeviceBuffer(device_, (most_given + 1) * sizeof(std::int32_t));
   counters_ = opencl::DeviceBuffer(device_, 2 * sizeof(std::int32_t));
 }
@@ -165,7 +157,7 @@ void DeviceSpheres::send_contacts(const ParticleSystem& s) {
 DeviceSpheres::Lists DeviceSpheres::sent_sides(const std::vector<Side>& sides) const {
   std::vector<std::int32_t> count(n_);
   for (const Side& side : sides) ++count[side.particle];
-  Lists lists = make_room(n_ ? *std::max_element(count.begin(), count.end()) : 0);
+  Lists lists = make_room(n_, n_ ? *std::max_element(count.begin(), count.end()) : 0);
   const std::size_t slots = n_ * static_cast<std::size_t>(lists.room);
   std::vector<std::uint32_t> entries(slots);
   std::vector<double> slides(4 * slots), rolls(rolls_ ? 4 * slots : 0);
@@ -255,64 +247,6 @@ DeviceFindings DeviceSpheres::settle() {
   out.undone = std::ssize(given_);
   given_.clear();
   return out;
-}
-
-/// Calls visit(particle, entry, slide, roll) for every contact that acts, slot by slot; no roll where none is
-/// remembered.
-template <class Visit>
-void DeviceSpheres::for_each_acting(const Lists& lists, Visit&& visit) const {
-  const auto count = lists.counts.values<std::int32_t>(n_);
-  const auto read_slot = [&](int k, const opencl::DeviceBuffer& buffer) {
-    std::vector<double> rows(buffer.bytes() ? 4 * n_ : 0);
-    buffer.read(rows.data(), rows.size() * sizeof(double), static_cast<std::size_t>(k) * 4 * n_ * sizeof(double));
-    return rows;
-  };
-  const int most = n_ ? *std::max_element(count.begin(), count.end()) : 0;
-  for (int k = 0; k < most; ++k) {
-    std::vector<std::uint32_t> entry(n_);
-    lists.entries.read(entry.data(), n_ * sizeof(std::uint32_t),
-                       static_cast<std::size_t>(k) * n_ * sizeof(std::uint32_t));
-    const auto slide = read_slot(k, lists.slides), roll = read_slot(k, lists.rolls);
-    for (std::size_t i = 0; i < n_; ++i)
-      if (k < count[i] && entry[i] >> SC_CODE_SHIFT != 0)
-        visit(i, entry[i], &slide[4 * i], roll.empty() ? nullptr : &roll[4 * i]);
-  }
-}
-
-void DeviceSpheres::bring_back(const ParticleSystem& system, ParticleSystem& whole) const {
-  whole.domain = system.domain;
-  whole.laws = system.laws;
-  whole.materials = system.materials;
-  whole.walls = system.walls;
-  Particles& p = whole.particles;
-  p = Particles(false);
-  p.resize(n_);
-  p.for_each_field([&](std::string_view name, auto& column, auto...) {
-    const opencl::DeviceBuffer& values = name == "motion" ? motion_[now_]
-                                         : name == "spin" ? spin_[now_]
-                                                          : columns_.at(name);
-    values.read(column.values.data(), n_ * row_bytes_.at(name));
-  });
-  const std::vector<std::int64_t> id(p.id.values.begin(), p.id.values.end());
-  KeyedContacts pairs, walls;
-  const auto remember = [](KeyedContacts& to, std::int64_t a, std::int64_t b, const double* slide, const double* roll,
-                           std::uint32_t code) {
-    to.ids.insert(to.ids.end(), {a, b});
-    to.memory.insert(to.memory.end(), slide, slide + 4);
-    for (int l = 0; l < 4; ++l) to.memory.push_back(roll ? roll[l] : 0.0);
-    to.memory.push_back(code == contact_code(true, true) ? 1.0 : 0.0);
-  };
-  for_each_acting(lists_, [&](std::size_t i, std::uint32_t entry, const double* slide, const double* roll) {
-    const std::int64_t other = id[entry & SC_PARTNER];
-    if (id[i] < other) remember(pairs, id[i], other, slide, roll, entry >> SC_CODE_SHIFT);
-  });
-  for_each_acting(face_lists_, [&](std::size_t i, std::uint32_t entry, const double* slide, const double* roll) {
-    remember(walls, id[i], entry & SC_PARTNER, slide, roll, entry >> SC_CODE_SHIFT);
-  });
-  p.permute(order_by_id(p));
-  const RowsById rows = rows_of_held(p);
-  whole.contacts = pairs_of(pairs, rows, rolls_, false);
-  whole.wall_contacts = walls_of(walls, rows, p, faces_);
 }
 
 double DeviceSpheres::candidates() const {

@@ -1,6 +1,7 @@
 // Spheres on an OpenCL device: they stay there from step to step, with their contacts and their books.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string_view>
@@ -27,6 +28,13 @@ struct WallsOfStep {
   double way = 0;
 };
 
+/// Some particles of a device with the contacts they take part in.
+struct PartOfDevice {
+  ParticleSystem system;           // particles in the order of their ids; the lists hold what acts alone
+  std::vector<std::int64_t> id;    // of each particle
+  std::vector<std::int32_t> rows;  // where each stands on the device
+};
+
 /// The engine of a system of spheres on a device. It gives the same bits as the CPU's: the physics is the same text,
 /// and sums go in the order of ids.
 class DeviceSpheres {
@@ -48,6 +56,16 @@ class DeviceSpheres {
   /// Brings particles and contacts back; the rest of `whole` is taken from `system`. All steps must be settled.
   void bring_back(const ParticleSystem& system, ParticleSystem& whole) const;
 
+  /// Who is in one of the regions, or reaches into it with his effect surface, with the partners of their contacts.
+  /// All steps must be settled.
+  PartOfDevice part_in(const std::vector<sc_region>& regions, const ParticleSystem& system);
+
+  /// Puts a part back as it has become: who is missing is gone, who was not there has come. The memory of contacts is
+  /// that of before. `poses` are those of the walls now.
+  void put_back(const PartOfDevice& before, const Particles& after, const std::vector<sc_wall_pose>& poses);
+
+  std::size_t particles() const { return n_; }
+
   /// Listed partners of a particle, on average.
   double candidates() const;
 
@@ -59,7 +77,8 @@ class DeviceSpheres {
   static constexpr std::size_t group = 128;  // items of a group
 
   struct Lists {
-    int room = 0;
+    std::size_t particles = 0;
+    int room = 0;  // for contacts of each
     opencl::DeviceBuffer counts, entries, slides, rolls;
 
     std::size_t bytes() const { return counts.bytes() + entries.bytes() + slides.bytes() + rolls.bytes(); }
@@ -87,10 +106,21 @@ class DeviceSpheres {
   Lists sent_sides(const std::vector<Side>& sides) const;
   template <class Visit>
   void for_each_acting(const Lists& lists, Visit&& visit) const;
-  Lists make_room(int room) const;
+  template <class IdOf>
+  Luggage remembered(const Lists& pairs, const Lists& faces, const std::vector<std::int64_t>& id, IdOf&& id_of) const;
+  Lists make_room(std::size_t particles, int room) const;
+  void reserve(std::size_t rows);
+  opencl::DeviceBuffer& column(std::string_view name);
+  const opencl::DeviceBuffer& column(std::string_view name) const;
+  Lists taken(const Lists& lists, const std::vector<std::int32_t>& rows);
+  Particles particles_at(const std::vector<std::int32_t>& rows, const Particles& alike);
+  std::vector<std::int32_t> rows_in(const std::vector<sc_region>& regions);
+  void put_rows(const std::vector<std::int32_t>& rows, const Particles& values);
+  void append(const Particles& fresh);
+  void dismiss(const std::vector<std::int32_t>& rows);
   void make_lists();
   void sort_particles();
-  void permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t part = 0);
+  void permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t count);
   void scan(opencl::DeviceBuffer& values, int count);
   template <class Search>
   void search_into(Lists& lists, Search&& search);
@@ -110,9 +140,13 @@ class DeviceSpheres {
   sc_pair_law first_law_;  // of the first material with itself
   bool rolls_;
   std::size_t n_;
+  std::size_t come_ = 0, gone_count_ = 0;  // since the lists were made: they stand after the others, or are marked
+  std::size_t rows_ = 0;                   // of particles that there is memory for
   int materials_;
   std::size_t faces_, walls_;
   sc_device_step constants_{};
+  std::array<double, 3> least_{}, greatest_{};  // corners of what the cells cover [m]
+  sc_cells cells_{};
   double range_ = 0;   // two bodies whose centres are further apart are not listed, skin left out [m]
   double beyond_ = 0;  // how far bodies act beyond their effect surfaces [m]
   double skin_, shortest_skin_, longest_skin_;  // [m]
@@ -124,7 +158,7 @@ class DeviceSpheres {
   opencl::DeviceBuffer listed_, laws_;
   opencl::DeviceBuffer wall_faces_, wall_poses_;  // poses: of all walls, step by step
   opencl::DeviceBuffer gaps_, corners_;           // of the listed faces, in the present step
-  opencl::DeviceBuffer cell_of_, cell_first_, cursor_, order_, place_, scratch_, found_, stale_, counters_;
+  opencl::DeviceBuffer cell_of_, cell_first_, cursor_, order_, place_, gone_, scratch_, found_, stale_, counters_;
   Lists lists_, fresh_, face_lists_, fresh_face_lists_;
   std::vector<Given> given_;
   std::int64_t steps_listed_ = 0;  // since the lists were made

@@ -14,17 +14,18 @@ constexpr std::int64_t most_cells = std::int64_t{1} << 30;
 
 /// Cells as wide as bodies reach, but not many more than there are particles.
 void DeviceSpheres::fit_cells() {
-  sc_box& box = constants_.box;
   double width = range_ + skin_;
   for (;; width *= 1.26) {
-    double cells = 1;
+    double all = 1;
     for (int k = 0; k < 3; ++k) {
-      const double length = box.high[k] - box.low[k];
-      box.cells[k] = static_cast<int>(std::clamp(std::floor(length / width), 1.0, 1e6));
-      box.cell[k] = length / box.cells[k];
-      cells *= box.cells[k];
+      const double length = greatest_[k] - least_[k];
+      cells_.from[k] = least_[k];
+      cells_.count[k] = static_cast<int>(std::clamp(std::floor(length / width), 1.0, 1e6));
+      cells_.width[k] = length / cells_.count[k];
+      cells_.around[k] = constants_.box.period[k] > 0;
+      all *= cells_.count[k];
     }
-    if (cells <= std::min(4.0 * static_cast<double>(n_) + 64, static_cast<double>(most_cells))) return;
+    if (all <= std::min(4.0 * static_cast<double>(n_) + 64, static_cast<double>(most_cells))) return;
   }
 }
 
@@ -39,37 +40,43 @@ void DeviceSpheres::scan(opencl::DeviceBuffer& values, int count) {
   program_.run("sc_add_blocks", static_cast<std::size_t>(count), group, count, values, sums);
 }
 
-/// Puts the rows of one part of a buffer in order.
-void DeviceSpheres::permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t part) {
+/// Puts the first `count` rows in order.
+void DeviceSpheres::permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t count) {
   const std::size_t words = row_bytes / sizeof(std::uint32_t);
-  program_.run("sc_permute", n_ * words, group, static_cast<int>(n_), static_cast<int>(words), static_cast<int>(part),
-               order_, rows, scratch_);
-  rows.copy_from(scratch_, n_ * row_bytes, part * n_ * row_bytes);
+  program_.run("sc_take_rows", count * words, group, static_cast<int>(count), static_cast<int>(words), order_, rows,
+               scratch_);
+  rows.copy_from(scratch_, count * row_bytes);
 }
 
+/// Puts those who are there from now on in the order of their cells; those who are gone get no place.
 void DeviceSpheres::sort_particles() {
   fit_cells();
-  const sc_box& box = constants_.box;
-  const int n = static_cast<int>(n_), cells = box.cells[0] * box.cells[1] * box.cells[2];
+  const std::size_t held = n_ + come_, stay = held - gone_count_;
+  const int n = static_cast<int>(held), cells = cells_.count[0] * cells_.count[1] * cells_.count[2];
   const std::size_t bytes = (static_cast<std::size_t>(cells) + 1) * sizeof(std::int32_t);
   if (cell_first_.bytes() < bytes) {
     cell_first_ = opencl::DeviceBuffer(device_, bytes);
     cursor_ = opencl::DeviceBuffer(device_, bytes);
   }
   cell_first_.clear();
-  program_.run("sc_count_cells", n_, group, box, n, motion_[now_], cell_of_, cell_first_);
+  program_.run("sc_count_cells", held, group, cells_, n, motion_[now_], gone_, cell_of_, cell_first_, place_);
   scan(cell_first_, cells + 1);
   cursor_.copy_from(cell_first_, bytes);
-  program_.run("sc_scatter", n_, group, n, cell_of_, cursor_, order_);
+  program_.run("sc_scatter", held, group, n, cell_of_, cursor_, order_);
   program_.run("sc_sort_cells", static_cast<std::size_t>(cells), group, cells, cell_first_, columns_.at("id"), order_);
-  program_.run("sc_invert", n_, group, n, order_, place_);
+  const int staying = static_cast<int>(stay);
+  program_.run("sc_invert", stay, group, staying, order_, place_);
   // The state of the next step is free to take the rows in their new order.
-  for (auto* both : {motion_, spin_}) {
-    const std::size_t words = both[0].bytes() / n_ / sizeof(std::uint32_t);
-    program_.run("sc_permute", n_ * words, group, n, static_cast<int>(words), 0, order_, both[now_], both[1 - now_]);
+  for (const auto& [name, both] : {std::pair("motion", motion_), std::pair("spin", spin_)}) {
+    const std::size_t words = row_bytes_.at(name) / sizeof(std::uint32_t);
+    program_.run("sc_take_rows", stay * words, group, staying, static_cast<int>(words), order_, both[now_],
+                 both[1 - now_]);
   }
   now_ = 1 - now_;
-  for (auto& [name, column] : columns_) permute(column, row_bytes_.at(name));
+  for (auto& [name, column] : columns_) permute(column, row_bytes_.at(name), stay);
+  if (gone_count_ > 0) gone_.clear();
+  n_ = stay;
+  come_ = gone_count_ = 0;
 }
 
 /// A list that lasts long costs candidates that do not touch, a short one costs making: hold the balance.
@@ -87,18 +94,19 @@ void DeviceSpheres::search_into(Lists& lists, Search&& search) {
   const int none[2] = {0, 0};
   for (;;) {
     counters_.write(none, sizeof none);
+    if (lists.particles != n_) lists = make_room(n_, lists.room);
     sc_counts sizes = counts();
     sizes.room = lists.room;
     search(sizes);
     const int most = counters_.values<std::int32_t>(1)[0];
     if (most <= lists.room) return;
-    lists = make_room(most + most / 8 + 1);
+    lists = make_room(n_, most + most / 8 + 1);
   }
 }
 
 void DeviceSpheres::find_partners() {
   search_into(fresh_, [&](const sc_counts& sizes) {
-    program_.run("sc_find_partners", n_, group, constants_.box, sizes, skin_ + beyond_, motion_[now_],
+    program_.run("sc_find_partners", n_, group, constants_.box, cells_, sizes, skin_ + beyond_, motion_[now_],
                  columns_.at("effect_excess"), columns_.at("id"), cell_first_, fresh_.counts, fresh_.entries,
                  counters_);
   });
@@ -116,14 +124,14 @@ void DeviceSpheres::find_faces() {
 void DeviceSpheres::carry_over(Lists& from, Lists& to, bool of_faces) {
   const int none[2] = {0, 0};
   counters_.write(none, sizeof none);
-  program_.run("sc_carry_over", n_, group, static_cast<int>(n_), static_cast<int>(of_faces), order_, place_,
-               from.counts, from.entries, from.slides, from.rolls, to.counts, to.entries, to.slides, to.rolls,
-               counters_);
+  program_.run("sc_carry_over", n_, group, static_cast<int>(n_), static_cast<int>(from.particles),
+               static_cast<int>(of_faces), order_, place_, from.counts, from.entries, from.slides, from.rolls,
+               to.counts, to.entries, to.slides, to.rolls, counters_);
   // A wall may jump away from a contact; two particles cannot part so fast.
   const bool lost = counters_.values<std::int32_t>(1)[0] != 0;
   if (lost && !of_faces) throw std::logic_error("a contact that acts is on no list of the device");
   std::swap(from, to);
-  if (to.room < from.room) to = make_room(from.room);
+  if (to.room < from.room) to = make_room(n_, from.room);
 }
 
 void DeviceSpheres::make_lists() {

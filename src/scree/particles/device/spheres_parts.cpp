@@ -1,0 +1,259 @@
+// Particles and contacts that come back from a device, all or some of them, and that go there while a run goes on.
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+
+#include "scree/particles/device/spheres.h"
+#include "scree/particles/keyed_contacts.h"
+
+namespace scree {
+namespace {
+
+opencl::DeviceBuffer sent_rows(const opencl::Device& device, const std::vector<std::int32_t>& rows) {
+  opencl::DeviceBuffer buffer(device, rows.size() * sizeof(std::int32_t));
+  buffer.write(rows.data(), buffer.bytes());
+  return buffer;
+}
+
+/// The properties of a system that are no particles and no contacts.
+void take_properties(const ParticleSystem& from, ParticleSystem& to) {
+  to.domain = from.domain;
+  to.laws = from.laws;
+  to.materials = from.materials;
+  to.walls = from.walls;
+}
+
+void remember(KeyedContacts& to, std::int64_t a, std::int64_t b, const double* slide, const double* roll,
+              std::uint32_t code) {
+  to.ids.insert(to.ids.end(), {a, b});
+  to.memory.insert(to.memory.end(), slide, slide + 4);
+  for (int l = 0; l < 4; ++l) to.memory.push_back(roll ? roll[l] : 0.0);
+  to.memory.push_back(code == contact_code(true, true) ? 1.0 : 0.0);
+}
+
+/// Puts a system's particles in the order of their ids, and makes lists of the contacts that act.
+void put_together(ParticleSystem& system, const Luggage& acting, bool rolls) {
+  system.particles.permute(order_by_id(system.particles));
+  const RowsById rows = rows_of_held(system.particles);
+  system.contacts = pairs_of(acting.pairs, rows, rolls, false);
+  system.wall_contacts = walls_of(acting.walls, rows, system.particles, system.walls.size());
+}
+
+}  // namespace
+
+opencl::DeviceBuffer& DeviceSpheres::column(std::string_view name) {
+  return name == "motion" ? motion_[now_] : name == "spin" ? spin_[now_] : columns_.at(name);
+}
+
+const opencl::DeviceBuffer& DeviceSpheres::column(std::string_view name) const {
+  return const_cast<DeviceSpheres*>(this)->column(name);
+}
+
+/// Calls visit(particle, entry, slide, roll) for every contact that acts, slot by slot; no roll where none is
+/// remembered.
+template <class Visit>
+void DeviceSpheres::for_each_acting(const Lists& lists, Visit&& visit) const {
+  const std::size_t n = lists.particles;
+  const auto count = lists.counts.values<std::int32_t>(n);
+  const auto read_slot = [&](int k, const opencl::DeviceBuffer& buffer) {
+    std::vector<double> rows(buffer.bytes() ? 4 * n : 0);
+    buffer.read(rows.data(), rows.size() * sizeof(double), static_cast<std::size_t>(k) * 4 * n * sizeof(double));
+    return rows;
+  };
+  const int most = n ? *std::max_element(count.begin(), count.end()) : 0;
+  for (int k = 0; k < most; ++k) {
+    std::vector<std::uint32_t> entry(n);
+    lists.entries.read(entry.data(), n * sizeof(std::uint32_t),
+                       static_cast<std::size_t>(k) * n * sizeof(std::uint32_t));
+    const auto slide = read_slot(k, lists.slides), roll = read_slot(k, lists.rolls);
+    for (std::size_t i = 0; i < n; ++i)
+      if (k < count[i] && entry[i] >> SC_CODE_SHIFT != 0)
+        visit(i, entry[i], &slide[4 * i], roll.empty() ? nullptr : &roll[4 * i]);
+  }
+}
+
+/// What the contacts in lists of the particles `id` remember, each once; `id_of` tells the ids of partners by their
+/// rows.
+template <class IdOf>
+Luggage DeviceSpheres::remembered(const Lists& pairs, const Lists& faces, const std::vector<std::int64_t>& id,
+                                  IdOf&& id_of) const {
+  Luggage out;
+  for_each_acting(pairs, [&](std::size_t i, std::uint32_t entry, const double* slide, const double* roll) {
+    const auto [other, listed] = id_of(entry & SC_PARTNER);
+    // Both sides know a pair. It is told from the lower id, or from the only one that is asked.
+    if (id[i] < other) return remember(out.pairs, id[i], other, slide, roll, entry >> SC_CODE_SHIFT);
+    if (listed) return;
+    double turned[8];
+    for (int l = 0; l < 8; ++l) turned[l] = (l % 4 < 3 ? -1 : 1) * (l < 4 ? slide[l] : roll ? roll[l - 4] : 0.0);
+    remember(out.pairs, other, id[i], turned, turned + 4, entry >> SC_CODE_SHIFT);
+  });
+  for_each_acting(faces, [&](std::size_t i, std::uint32_t entry, const double* slide, const double* roll) {
+    remember(out.walls, id[i], entry & SC_PARTNER, slide, roll, entry >> SC_CODE_SHIFT);
+  });
+  return out;
+}
+
+void DeviceSpheres::bring_back(const ParticleSystem& system, ParticleSystem& whole) const {
+  take_properties(system, whole);
+  Particles& p = whole.particles;
+  p = system.particles.none_alike();
+  p.resize(n_);
+  p.for_each_field([&](std::string_view name, auto& values, auto...) {
+    column(name).read(values.values.data(), n_ * row_bytes_.at(name));
+  });
+  const std::vector<std::int64_t> id(p.id.values.begin(), p.id.values.end());
+  const auto id_of = [&](std::uint32_t row) { return std::pair(id[row], true); };
+  put_together(whole, remembered(lists_, face_lists_, id, id_of), rolls_);
+}
+
+/// Memory for so many rows; those that are there stay.
+void DeviceSpheres::reserve(std::size_t rows) {
+  if (rows <= rows_) return;
+  const std::size_t before = rows_;
+  rows_ = before == 0 ? rows : rows + rows / 8;
+  std::size_t widest = 4 * sizeof(double);
+  const auto grow = [&](opencl::DeviceBuffer& buffer, std::size_t row_bytes) {
+    opencl::DeviceBuffer larger(device_, rows_ * row_bytes);
+    larger.copy_from(buffer, before * row_bytes);
+    buffer = std::move(larger);
+    widest = std::max(widest, row_bytes);
+  };
+  for (auto& [name, values] : columns_) grow(values, row_bytes_.at(name));
+  for (int k = 0; k < 2; ++k) {
+    grow(motion_[k], row_bytes_.at("motion"));
+    grow(spin_[k], row_bytes_.at("spin"));
+  }
+  for (opencl::DeviceBuffer* places : {&cell_of_, &order_, &place_, &gone_}) grow(*places, sizeof(std::int32_t));
+  grow(listed_, 4 * sizeof(double));
+  scratch_ = opencl::DeviceBuffer(device_, rows_ * widest);
+  found_ = opencl::DeviceBuffer(device_, (rows_ + group - 1) / group * sizeof(sc_findings));
+}
+
+/// The rows of the particles in regions, rising.
+std::vector<std::int32_t> DeviceSpheres::rows_in(const std::vector<sc_region>& regions) {
+  const int none[2] = {0, 0};
+  counters_.write(none, sizeof none);
+  opencl::DeviceBuffer all(device_, regions.size() * sizeof(sc_region));
+  all.write(regions.data(), all.bytes());
+  program_.run("sc_find_in_regions", n_, group, static_cast<int>(n_), static_cast<int>(regions.size()), all,
+               motion_[now_], columns_.at("effect_excess"), scratch_, counters_);
+  auto rows = scratch_.values<std::int32_t>(static_cast<std::size_t>(counters_.values<std::int32_t>(1)[0]));
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+/// Copies of the lists of some particles.
+DeviceSpheres::Lists DeviceSpheres::taken(const Lists& lists, const std::vector<std::int32_t>& rows) {
+  Lists out = make_room(rows.size(), lists.room);
+  if (rows.empty()) return out;
+  program_.run("sc_take_lists", rows.size(), group, static_cast<int>(rows.size()), sent_rows(device_, rows),
+               static_cast<int>(lists.particles), lists.counts, lists.entries, lists.slides, lists.rolls, out.counts,
+               out.entries, out.slides, out.rolls);
+  return out;
+}
+
+Particles DeviceSpheres::particles_at(const std::vector<std::int32_t>& rows, const Particles& alike) {
+  Particles out = alike.none_alike();
+  out.resize(rows.size());
+  if (rows.empty()) return out;
+  const opencl::DeviceBuffer from = sent_rows(device_, rows);
+  out.for_each_field([&](std::string_view name, auto& values, auto...) {
+    const std::size_t row_bytes = row_bytes_.at(name), words = row_bytes / sizeof(std::uint32_t);
+    program_.run("sc_take_rows", rows.size() * words, group, static_cast<int>(rows.size()), static_cast<int>(words),
+                 from, column(name), scratch_);
+    scratch_.read(values.values.data(), rows.size() * row_bytes);
+  });
+  return out;
+}
+
+PartOfDevice DeviceSpheres::part_in(const std::vector<sc_region>& regions, const ParticleSystem& system) {
+  const std::vector<std::int32_t> asked = rows_in(regions);
+  const Lists pairs = taken(lists_, asked), faces = taken(face_lists_, asked);
+  PartOfDevice part;
+  part.rows = asked;
+  for_each_acting(pairs, [&](std::size_t, std::uint32_t entry, auto...) {
+    part.rows.push_back(static_cast<std::int32_t>(entry & SC_PARTNER));
+  });
+  std::sort(part.rows.begin(), part.rows.end());
+  part.rows.erase(std::unique(part.rows.begin(), part.rows.end()), part.rows.end());
+  take_properties(system, part.system);
+  Particles& p = part.system.particles;
+  p = particles_at(part.rows, system.particles);
+  const auto place_of = [](const std::vector<std::int32_t>& rows, std::int32_t row) {
+    return static_cast<std::size_t>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
+  };
+  const auto id_of = [&](std::uint32_t row) {
+    const std::int32_t r = static_cast<std::int32_t>(row);
+    return std::pair(p.id[place_of(part.rows, r)], std::binary_search(asked.begin(), asked.end(), r));
+  };
+  std::vector<std::int64_t> id;
+  for (const std::int32_t row : asked) id.push_back(p.id[place_of(part.rows, row)]);
+  const Luggage acting = remembered(pairs, faces, id, id_of);
+  std::vector<std::int32_t> rows;
+  for (const std::uint32_t i : order_by_id(p)) rows.push_back(part.rows[i]);
+  part.rows = std::move(rows);
+  put_together(part.system, acting, rolls_);
+  part.id.assign(p.id.values.begin(), p.id.values.end());
+  return part;
+}
+
+void DeviceSpheres::put_rows(const std::vector<std::int32_t>& rows, const Particles& values) {
+  if (rows.empty()) return;
+  const opencl::DeviceBuffer to = sent_rows(device_, rows);
+  values.for_each_field([&](std::string_view name, const auto& from, auto...) {
+    const std::size_t row_bytes = row_bytes_.at(name), words = row_bytes / sizeof(std::uint32_t);
+    scratch_.write(from.values.data(), rows.size() * row_bytes);
+    program_.run("sc_put_rows", rows.size() * words, group, static_cast<int>(rows.size()), static_cast<int>(words), to,
+                 scratch_, column(name));
+  });
+}
+
+/// Those who come stand after the others until lists are made.
+void DeviceSpheres::append(const Particles& fresh) {
+  reserve(n_ + come_ + fresh.size());
+  fresh.for_each_field([&](std::string_view name, const auto& values, auto...) {
+    const std::size_t row_bytes = row_bytes_.at(name);
+    column(name).write(values.values.data(), fresh.size() * row_bytes, (n_ + come_) * row_bytes);
+  });
+  come_ += fresh.size();
+}
+
+/// Those who go are marked until lists are made.
+void DeviceSpheres::dismiss(const std::vector<std::int32_t>& rows) {
+  if (rows.empty()) return;
+  const std::vector<std::int32_t> marks(rows.size(), 1);
+  scratch_.write(marks.data(), marks.size() * sizeof marks[0]);
+  program_.run("sc_put_rows", rows.size(), group, static_cast<int>(rows.size()), 1, sent_rows(device_, rows), scratch_,
+               gone_);
+  gone_count_ += rows.size();
+}
+
+void DeviceSpheres::put_back(const PartOfDevice& before, const Particles& after,
+                             const std::vector<sc_wall_pose>& poses) {
+  std::unordered_map<std::int64_t, std::int32_t> row_of;
+  for (std::size_t i = 0; i < before.id.size(); ++i) row_of[before.id[i]] = before.rows[i];
+  std::vector<std::uint32_t> staying, coming;
+  std::vector<std::int32_t> rows, gone;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    const auto found = row_of.find(after.id[i]);
+    if (found == row_of.end()) {
+      coming.push_back(static_cast<std::uint32_t>(i));
+      continue;
+    }
+    staying.push_back(static_cast<std::uint32_t>(i));
+    rows.push_back(found->second);
+    row_of.erase(found);
+  }
+  for (const auto& [id, row] : row_of) gone.push_back(row);
+  Particles stay = after, come = after;
+  stay.permute(staying);
+  come.permute(coming);
+  put_rows(rows, stay);
+  dismiss(gone);
+  append(come);
+  wall_poses_.write(poses.data(), poses.size() * sizeof(sc_wall_pose));
+  make_lists();
+}
+
+}  // namespace scree
