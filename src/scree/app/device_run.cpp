@@ -29,7 +29,6 @@ void refuse_particles(const Case& c) {
     const auto key = [&](const char* name) { return fmt::format("particles.{}.{}", k, name); };
     if (group.shape != "sphere") refuse(c, key("shape"), "particles that are no spheres are");
     if (group.motion == "prescribed") refuse(c, key("motion"), "bodies with a prescribed motion are");
-    if (group.insert == "rate") refuse(c, key("insert"), "particles that come in while the run goes on are");
   }
 }
 
@@ -57,7 +56,6 @@ opencl::DeviceInfo find_device(const std::string& name) {
 void refuse_on_device(const Case& c) {
   refuse_particles(c);
   if (is_hard(c)) refuse(c, "contact.collision", "hard collisions are");
-  if (!c.outlets.empty()) refuse(c, "outlets.0.type", "outlets are");
   if (c.gravity.type != "none" && c.gravity.type != "uniform")
     refuse(c, "gravity.type", "body forces other than uniform gravity are");
   if (c.flow.type == "expression") refuse(c, "flow.type", "flows by formula are");

@@ -1,6 +1,8 @@
 #include "scree/app/exchange.h"
 
+#include <algorithm>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 #include "scree/app/build_exchange.h"
@@ -58,6 +60,35 @@ Exchange::Exchange(const Case& c, std::int64_t next_id)
     groups_.push_back(all[feed.group]);
     refuse_what_does_not_fit(feed, groups_.back(), setting);
   }
+}
+
+std::vector<sc_region> Exchange::regions(const Domain& domain, double time) const {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  std::vector<sc_region> out;
+  for (const Outlet& outlet : outlets_) {
+    sc_region r{{-far, -far, -far}, {far, far, far}};
+    if (outlet.is_face) {
+      (outlet.upper ? r.min : r.max)[outlet.axis] = (outlet.upper ? domain.max : domain.min)[outlet.axis];
+    } else {
+      std::copy_n(outlet.min.data(), 3, r.min);
+      std::copy_n(outlet.max.data(), 3, r.max);
+    }
+    out.push_back(r);
+  }
+  InsertionSetting setting;
+  setting.domain = domain;
+  setting.seed = seed_;
+  for (std::size_t f = 0; f < feeds_.size(); ++f) {
+    const auto room = room_of_due({feeds_[f], groups_[f], setting, time, {}, {}}, states_[f]);
+    if (!room) continue;
+    sc_region r;
+    for (int k = 0; k < 3; ++k) {
+      r.min[k] = domain.periodic[k] ? -far : room->min[k];
+      r.max[k] = domain.periodic[k] ? far : room->max[k];
+    }
+    out.push_back(r);
+  }
+  return out;
 }
 
 /// All ranks find the same newcomers: each of them looks at those of all that may be in the way.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scree/input/case.h"
+#include "scree/kernels/region.h"
 #include "scree/output/archive.h"
 #include "scree/particles/feed.h"
 #include "scree/particles/fields.h"
@@ -25,6 +26,10 @@ class Exchange {
 
   /// True if the case lets particles come or go at all.
   bool active() const { return !feeds_.empty() || !outlets_.empty(); }
+
+  /// Where those are who may leave at `time`, or may be in the way of those who are due. Who may be in the way reaches
+  /// into it with his effect surface. Empty if nobody can come or go.
+  std::vector<sc_region> regions(const Domain& domain, double time) const;
 
   /// Takes out what is in the outlets, then lets in what is due. `lists` must be made; `field` as in a pass. True if
   /// anybody came or went. Throws PhysicsError, with nothing changed, when a feed is too late. Of several ranks all

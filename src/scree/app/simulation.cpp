@@ -103,15 +103,8 @@ void Simulation::exchange_particles() {
   if (!exchange_.due(clock_.step)) return;
   refresh_neighbours();
   evaluate_own_fields(clock_.now());
-  const Stopwatch watch(stages_, "exchange");
-  const sc_field* field = fields_matter() ? field_.data() : nullptr;
-  const Moment moment = moment_of(move_now(), contact_time_now(), clock_.now());
-  if (coupling_)
-    hand_back(*coupling_, system_.particles, find_leavers(system_.particles, system_.domain, exchange_.outlets()));
-  bool changed = false;
   const double warmth = heat_ ? heat_content(system_.particles, ranks_) : 0;
-  together([&] { changed = exchange_.run(system_, lists_, fields_, field, moment, team_); });
-  if (!changed) return;
+  if (!exchange_within(system_, lists_, field_)) return;
   if (heat_) {
     const double left = heat_content(system_.particles, ranks_);
     warm_up(*heat_, system_.particles);
@@ -122,6 +115,18 @@ void Simulation::exchange_particles() {
   note_owners();
   findings_.fastest2 = ranks_.largest(fastest_square(system_.particles));
   count_ = ranks_.total(static_cast<std::int64_t>(system_.particles.size()));
+}
+
+/// Lets those of a system come and go who are due; its lists and fields are those of now. Whether anybody did.
+bool Simulation::exchange_within(ParticleSystem& system, ContactLists& lists, const Buffer<sc_field>& fields) {
+  const Stopwatch watch(stages_, "exchange");
+  const sc_field* field = fields_matter() ? fields.data() : nullptr;
+  const Moment moment = moment_of(move_now(), contact_time_now(), clock_.now());
+  if (coupling_)
+    hand_back(*coupling_, system.particles, find_leavers(system.particles, system.domain, exchange_.outlets()));
+  bool changed = false;
+  together([&] { changed = exchange_.run(system, lists, fields_, field, moment, team_); });
+  return changed;
 }
 
 void Simulation::refresh_neighbours() {

@@ -214,6 +214,8 @@ class Simulation {
   void together(const std::function<void()>& look) const;
   void move_walls(double time);
   void exchange_particles();
+  void exchange_on_device();
+  bool exchange_within(ParticleSystem& system, ContactLists& lists, const Buffer<sc_field>& fields);
   void move_prescribed_bodies();
   void note_owners();
   void look_at_planes();

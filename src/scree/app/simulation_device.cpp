@@ -19,10 +19,31 @@ bool Simulation::is_on_device() const { return device_ && device_->spheres; }
 void Simulation::advance_on_device() {
   auto& spheres = device_->spheres;
   move_walls_on_device();
-  if (!spheres) spheres.emplace(device_->device, system_, lists_, fields_, case_.simulation.max_overlap);
+  if (spheres) {
+    exchange_on_device();
+  } else {
+    exchange_particles();
+    spheres.emplace(device_->device, system_, lists_, fields_, case_.simulation.max_overlap);
+  }
   spheres->step(move_now(), contact_time_now(), {system_.walls.poses, way_of_walls()});
   clock_.advance();
   if (spheres->is_full()) settle_device();
+}
+
+/// Those who may come or go, with their neighbours, are dealt with by the host.
+void Simulation::exchange_on_device() {
+  if (!exchange_.due(clock_.step)) return;
+  settle_device();
+  const std::vector<sc_region> regions = exchange_.regions(system_.domain, clock_.now());
+  if (regions.empty()) return;
+  PartOfDevice part = device_->spheres->part_in(regions, system_);
+  ContactLists lists = prepare_lists(part.system, case_.simulation.skin);
+  refresh_lists(part.system, lists, team_);
+  Buffer<sc_field> field;
+  evaluate_fields(part.system, clock_.now(), field);
+  if (!exchange_within(part.system, lists, field)) return;
+  device_->spheres->put_back(part, part.system.particles, system_.walls.poses);
+  whole_step_ = whole_sampled_step_ = -1;
 }
 
 /// Puts the walls where they are in the step that is given next. If their motion fails, the steps before come first.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "scree/app/device_run.h"
 #include "scree/app/simulation.h"
 #include "scree/base/error.h"
 #include "scree/particles/migration.h"
@@ -125,6 +126,7 @@ void Simulation::cut_blocks(const Ranks& who_counts) {
 }
 
 std::int64_t Simulation::particles() const {
+  if (is_on_device()) return static_cast<std::int64_t>(device_->spheres->particles());
   return ranks_.alone() ? static_cast<std::int64_t>(system_.particles.size()) : count_;
 }
 

@@ -156,6 +156,13 @@ std::optional<std::vector<std::int32_t>> in_the_way(const FeedContext& k, const 
   return near_region(k, *std::max_element(due.begin(), due.end()), k.present, k.gone);
 }
 
+std::optional<Domain> room_of_due(const FeedContext& k, const FeedState& state) {
+  const std::vector<double> due = due_radii(k, state);
+  if (due.empty()) return {};
+  // Sums of the same radii in another order must not shut anybody out.
+  return surroundings(k.group, k.setting.domain, (1 + 1e-9) * *std::max_element(due.begin(), due.end()));
+}
+
 void feed(const FeedContext& k, FeedState& state, Newcomers& newcomers) {
   const std::vector<double> due = due_radii(k, state);
   if (due.empty()) return;

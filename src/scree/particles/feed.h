@@ -47,6 +47,10 @@ struct FeedContext {
 /// The places of those present that may be in the way of the particles that are due now; empty if nobody is due.
 std::optional<std::vector<std::int32_t>> in_the_way(const FeedContext& context, const FeedState& state);
 
+/// The part of the domain that the particles which are due now can touch; empty if nobody is due. Whom they may touch
+/// are those that reach into it with their effect surfaces.
+std::optional<Domain> room_of_due(const FeedContext& context, const FeedState& state);
+
 /// Adds the particles of a feed that are due now and find room: at random places of the group's region, where their
 /// effect surfaces touch no wall, no particle that stays and none of the other newcomers, which is decided as contacts
 /// are. The next one waits when it

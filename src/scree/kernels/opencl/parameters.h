@@ -3,6 +3,7 @@
 #define SCREE_KERNELS_OPENCL_PARAMETERS_H
 
 #include "scree/kernels/move_sphere.h"
+#include "scree/kernels/region.h"
 #include "scree/physics/contact/contact.h"
 
 #if defined(__OPENCL_VERSION__) || defined(SCREE_DEVICE)
@@ -43,11 +44,6 @@ typedef struct {
   int count[3];            // along each axis
   int around[3];           // the first one comes after the last
 } sc_cells;
-
-/// A part of space, borders included [m].
-typedef struct {
-  real min[3], max[3];
-} sc_region;
 
 /// How many there are.
 typedef struct {
