@@ -65,6 +65,14 @@ TEST(DeviceExchange, EmptiesTheDevice) {
   expect_the_same_passage(c, 2000);
 }
 
+TEST(DeviceExchange, BeginsWithNobody) {
+  // The first that come are not the largest.
+  std::string fed = hopper;
+  const std::size_t bed = fed.find("[[particles]]"), rain = fed.find("[[particles]]", bed + 1);
+  fed.erase(bed, rain - bed);
+  expect_the_same_passage(case_of(fed), 1500);
+}
+
 TEST(DeviceExchange, StopsWithTheCpuWhenAFeedIsLate) {
   expect_the_same_failure(hopper, "cannot keep its rate",
                           {"particles.1.mass_rate=1", "particles.1.max_delay=0.005", "particles.1.attempts=20"});

@@ -42,7 +42,7 @@ void Simulation::exchange_on_device() {
   Buffer<sc_field> field;
   evaluate_fields(part.system, clock_.now(), field);
   if (!exchange_within(part.system, lists, field)) return;
-  device_->spheres->put_back(part, part.system.particles, system_.walls.poses);
+  device_->spheres->put_back(part, part.system);
   whole_step_ = whole_sampled_step_ = -1;
 }
 

@@ -77,4 +77,8 @@ double reach_beyond_effects(const ParticleSystem& s, const Sizes& sizes) {
   return reach_beyond_bodies(s, sizes) - between_effects;
 }
 
+double margin_of(const ParticleSystem& s, const Sizes& sizes) {
+  return std::max(reach_beyond_bodies(s, sizes), 2 * sizes.excess);
+}
+
 }  // namespace scree

@@ -24,4 +24,7 @@ double reach_beyond_bodies(const ParticleSystem& system, const Sizes& sizes);
 /// The part of that which the effect surfaces do not contain [m].
 double reach_beyond_effects(const ParticleSystem& system, const Sizes& sizes);
 
+/// How far apart bodies may be and still be looked at in a pass: as contacts, or with their effect surfaces [m].
+double margin_of(const ParticleSystem& system, const Sizes& sizes);
+
 }  // namespace scree

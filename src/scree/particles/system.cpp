@@ -52,7 +52,7 @@ void adapt_skin(ContactLists& lists, const ParticleSystem& s, double mean_radius
 
 /// How far apart bodies may be and still act on each other, and a first skin where there is none.
 void measure_reach(ContactLists& lists, const ParticleSystem& s, const Sizes& sizes) {
-  lists.margin = std::max(reach_beyond_bodies(s, sizes), 2 * sizes.excess);
+  lists.margin = margin_of(s, sizes);
   if (lists.skin == 0) lists.skin = 0.1 * sizes.mean_radius;
 }
 

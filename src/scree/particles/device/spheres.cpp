@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "scree/compute/opencl/text.h"
-#include "scree/particles/reach.h"
 
 namespace scree {
 namespace {
@@ -72,17 +71,12 @@ DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem&
       walls_(s.walls.poses.size()),
       skin_(lists.skin),
       adapts_(lists.adapts) {
-  const Sizes sizes = sizes_of(s.particles);
-  beyond_ = reach_beyond_effects(s, sizes);
-  range_ = 2 * sizes.effect_radius + beyond_;
-  shortest_skin_ = 0.08 * sizes.mean_radius;
-  longest_skin_ = sizes.mean_radius;
+  reach_as_far_as(s, sizes_of(s.particles));
   constants_.box = box_of(s.domain);
   least_ = s.domain.min;
   greatest_ = s.domain.max;
   constants_.flow = flow_of(fields);
   constants_.fields = act_locally(fields);
-  constants_.margin = lists.margin;
   constants_.max_overlap = max_overlap;
   laws_ = sent(device_, s.materials.law.data(), s.materials.law.size());
   check_kernels();

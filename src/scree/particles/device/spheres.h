@@ -10,6 +10,7 @@
 #include "scree/compute/opencl/device.h"
 #include "scree/kernels/opencl/parameters.h"
 #include "scree/particles/fields.h"
+#include "scree/particles/reach.h"
 #include "scree/particles/system.h"
 
 namespace scree {
@@ -61,8 +62,8 @@ class DeviceSpheres {
   PartOfDevice part_in(const std::vector<sc_region>& regions, const ParticleSystem& system);
 
   /// Puts a part back as it has become: who is missing is gone, who was not there has come. The memory of contacts is
-  /// that of before. `poses` are those of the walls now.
-  void put_back(const PartOfDevice& before, const Particles& after, const std::vector<sc_wall_pose>& poses);
+  /// that of before. The system's walls are where they are now.
+  void put_back(const PartOfDevice& before, const ParticleSystem& after);
 
   std::size_t particles() const { return n_; }
 
@@ -117,6 +118,7 @@ class DeviceSpheres {
   std::vector<std::int32_t> rows_in(const std::vector<sc_region>& regions);
   void put_rows(const std::vector<std::int32_t>& rows, const Particles& values);
   void append(const Particles& fresh);
+  void reach_as_far_as(const ParticleSystem& system, const Sizes& sizes);
   void dismiss(const std::vector<std::int32_t>& rows);
   void make_lists();
   void sort_particles();
@@ -147,6 +149,7 @@ class DeviceSpheres {
   sc_device_step constants_{};
   std::array<double, 3> least_{}, greatest_{};  // corners of what the cells cover [m]
   sc_cells cells_{};
+  Sizes sizes_;        // of all that have been there
   double range_ = 0;   // two bodies whose centres are further apart are not listed, skin left out [m]
   double beyond_ = 0;  // how far bodies act beyond their effect surfaces [m]
   double skin_, shortest_skin_, longest_skin_;  // [m]

@@ -14,7 +14,8 @@ constexpr std::int64_t most_cells = std::int64_t{1} << 30;
 
 /// Cells as wide as bodies reach, but not many more than there are particles.
 void DeviceSpheres::fit_cells() {
-  double width = range_ + skin_;
+  // Nobody has no width.
+  double width = std::max(range_ + skin_, 1e-6 * (greatest_[0] - least_[0]));
   for (;; width *= 1.26) {
     double all = 1;
     for (int k = 0; k < 3; ++k) {
@@ -25,7 +26,7 @@ void DeviceSpheres::fit_cells() {
       cells_.around[k] = constants_.box.period[k] > 0;
       all *= cells_.count[k];
     }
-    if (all <= std::min(4.0 * static_cast<double>(n_) + 64, static_cast<double>(most_cells))) return;
+    if (all <= std::min(4.0 * static_cast<double>(n_ + come_) + 64, static_cast<double>(most_cells))) return;
   }
 }
 

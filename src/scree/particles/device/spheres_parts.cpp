@@ -229,8 +229,24 @@ void DeviceSpheres::dismiss(const std::vector<std::int32_t>& rows) {
   gone_count_ += rows.size();
 }
 
-void DeviceSpheres::put_back(const PartOfDevice& before, const Particles& after,
-                             const std::vector<sc_wall_pose>& poses) {
+/// Lists have to hold who is as large as any that have been there.
+void DeviceSpheres::reach_as_far_as(const ParticleSystem& system, const Sizes& sizes) {
+  // The mean decides about speed alone; that of nobody is zero.
+  if (sizes_.mean_radius == 0) sizes_.mean_radius = sizes.mean_radius;
+  sizes_.radius = std::max(sizes_.radius, sizes.radius);
+  sizes_.excess = std::max(sizes_.excess, sizes.excess);
+  sizes_.effect_radius = std::max(sizes_.effect_radius, sizes.effect_radius);
+  sizes_.contact_radius = std::max(sizes_.contact_radius, sizes.contact_radius);
+  constants_.margin = margin_of(system, sizes_);
+  beyond_ = reach_beyond_effects(system, sizes_);
+  range_ = 2 * sizes_.effect_radius + beyond_;
+  shortest_skin_ = 0.08 * sizes_.mean_radius;
+  longest_skin_ = sizes_.mean_radius;
+  if (adapts_) skin_ = std::clamp(skin_, shortest_skin_, longest_skin_);
+}
+
+void DeviceSpheres::put_back(const PartOfDevice& before, const ParticleSystem& system) {
+  const Particles& after = system.particles;
   std::unordered_map<std::int64_t, std::int32_t> row_of;
   for (std::size_t i = 0; i < before.id.size(); ++i) row_of[before.id[i]] = before.rows[i];
   std::vector<std::uint32_t> staying, coming;
@@ -249,10 +265,11 @@ void DeviceSpheres::put_back(const PartOfDevice& before, const Particles& after,
   Particles stay = after, come = after;
   stay.permute(staying);
   come.permute(coming);
+  if (come.size() > 0) reach_as_far_as(system, sizes_of(come));
   put_rows(rows, stay);
   dismiss(gone);
   append(come);
-  wall_poses_.write(poses.data(), poses.size() * sizeof(sc_wall_pose));
+  wall_poses_.write(system.walls.poses.data(), system.walls.poses.size() * sizeof(sc_wall_pose));
   make_lists();
 }
 
