@@ -217,7 +217,6 @@ TEST(Device, RefusesByNameWhatItDoesNotHave) {
        "= \"positions\"\npositions = [[0.012, 0.012, 0.02]]\n",
        "particles that are no spheres"},
       {"[flow]\ntype = \"still\"\ndensity = 1.2\nviscosity = 1.8e-5\ndrag = \"stokes\"\nbuoyancy = true\n", "buoyancy"},
-      {"[[outlets]]\nname = \"o\"\ntype = \"face\"\nface = \"z_max\"\n", "outlets"},
       {"[[analysis.planes]]\nname = \"p\"\npoint = [0, 0, 0.01]\nnormal = [0, 0, 1]\n", "counting planes"}};
   for (const auto& [more, what] : cases) {
     EXPECT_NE(refused(more).find("E193"), std::string::npos) << more;

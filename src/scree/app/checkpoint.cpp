@@ -11,7 +11,7 @@
 namespace scree {
 
 std::string Simulation::state_hash() {
-  if (is_on_device()) whole();
+  if (is_on_device()) settle_device();
   call(Call::hash);
   return hash_share();
 }
@@ -20,15 +20,14 @@ std::string Simulation::hash_share() { return hash_of(save_share(), clock_.now()
 
 /// This rank's part of the present state.
 StateShare Simulation::share() {
-  if (is_on_device()) whole();
+  retrieve();
   // Lists cannot be made of places that are no numbers; whoever is there has not changed since they were made.
   if (!ranks_.alone() && findings_.sound) {
     move_walls(clock_.now());
     refresh_neighbours();
   }
   const Stopwatch watch(stages_, "gathering");
-  const ParticleSystem& system = is_on_device() ? whole_ : system_;
-  StateShare out = share_of(system);
+  StateShare out = share_of(system_);
   out.head.set("step", clock_.step);
   out.head.set("time", clock_.now());
   out.head.set("time_step", clock_.dt);
@@ -37,7 +36,7 @@ StateShare Simulation::share() {
   out.head.set("impacts", tally_.impacts);
   out.head.set("impact_speed", tally_.impact_speed);
   out.head.set("groups", group_names(case_));
-  save_forms(system.forms, out.head);
+  save_forms(system_.forms, out.head);
   exchange_.save(out.head);
   if (heat_)
     out.head.put("heat_books", std::vector<double>{heat_books_.start, heat_books_.from_fluid, heat_books_.from_walls,
@@ -49,13 +48,13 @@ StateShare Simulation::share() {
 Archive Simulation::save_share() { return archive_of(share(), ranks_); }
 
 Archive Simulation::save() {
-  if (is_on_device()) whole();
+  if (is_on_device()) settle_device();
   call(Call::save);
   return save_share();
 }
 
 void Simulation::keep() {
-  if (is_on_device()) whole();
+  if (is_on_device()) settle_device();
   call(Call::keep);
   kept_ = share();
 }

@@ -191,7 +191,7 @@ class Simulation {
   void advance_on_device();
   void move_walls_on_device();
   void settle_device();
-  void bring_back();
+  void retrieve();
   bool is_on_device() const;
   void help(Call what);
   void gather();
@@ -202,7 +202,7 @@ class Simulation {
   RowFacts look_at_share();
   void frame_share(FrameWriter* frames, FrameWriter* contacts);
   FrameData frame_data_share();
-  bool is_share_finite() const;
+  bool is_share_finite();
   StateShare share();
   Archive save_share();
   std::string hash_share();
@@ -265,8 +265,8 @@ class Simulation {
   std::optional<StateShare> kept_;
   Archive saved_;  // ranks other than the root: waits to be written
   std::unique_ptr<DeviceRun> device_;
-  // Where system_ is not the run as a whole, at the root of several ranks or of a device: that.
-  ParticleSystem whole_;
+  std::int64_t retrieved_step_ = -1;
+  ParticleSystem whole_;  // at the root of several ranks: the run as a whole
   std::int64_t whole_step_ = -1;
   HardStep hard_;
   std::unique_ptr<FluidCoupling> coupling_;

@@ -43,7 +43,7 @@ void Simulation::exchange_on_device() {
   evaluate_fields(part.system, clock_.now(), field);
   if (!exchange_within(part.system, lists, field)) return;
   device_->spheres->put_back(part, part.system);
-  whole_step_ = whole_sampled_step_ = -1;
+  retrieved_step_ = sampled_step_ = -1;
 }
 
 /// Puts the walls where they are in the step that is given next. If their motion fails, the steps before come first.
@@ -62,21 +62,27 @@ void Simulation::settle_device() {
   const DeviceFindings found = device_->spheres->settle();
   clock_.step -= found.undone;
   if (found.steps == 0) return;
-  findings_ = found.last;
+  findings_ = own_findings_ = found.last;
   tally_.contacts += found.contacts;
   tally_.wall_contacts += found.wall_contacts;
   tally_.impacts += found.impacts;
   tally_.impact_speed += found.impact_speed;
   if (is_sound(findings_, case_.simulation.max_overlap)) return;
+  retrieve();
   move_walls(static_cast<double>(clock_.step - 1) * clock_.dt);  // from steps given ahead to where they were
-  bring_back();
-  guard_step(whole_, findings_, case_.simulation.max_overlap, clock_.now());
+  guard();
 }
 
-void Simulation::bring_back() {
+/// Brings the present state back to system_, if it is on a device; lists are made anew when they are needed.
+void Simulation::retrieve() {
+  if (!is_on_device()) return;
+  settle_device();
+  if (retrieved_step_ == clock_.step) return;
+  move_walls(clock_.now());
   const Stopwatch watch(stages_, "gathering");
-  device_->spheres->bring_back(system_, whole_);
-  whole_step_ = clock_.step;
+  device_->spheres->bring_back(system_);
+  forget_lists(lists_);
+  retrieved_step_ = clock_.step;
 }
 
 }  // namespace scree

@@ -7,14 +7,13 @@
 #include "scree/app/build_heat.h"
 #include "scree/app/columns.h"
 #include "scree/app/contact_fields.h"
-#include "scree/app/device_run.h"
 #include "scree/app/frame_fields.h"
 #include "scree/app/simulation.h"
 
 namespace scree {
 
 const Sample& Simulation::sample() {
-  if (is_on_device()) return whole_sample();
+  if (is_on_device()) settle_device();
   if (sampled_step_ == clock_.step) return sample_;
   call(Call::sample);
   take_own_sample();
@@ -22,6 +21,7 @@ const Sample& Simulation::sample() {
 }
 
 void Simulation::take_own_sample() {
+  retrieve();
   move_walls(clock_.now());
   refresh_neighbours();
   update_ghosts(system_, lists_);
@@ -35,18 +35,14 @@ void Simulation::take_own_sample() {
 }
 
 const Sample& Simulation::whole_sample() {
-  if (ranks_.alone() && !is_on_device()) return sample();
+  if (ranks_.alone()) return sample();
   if (whole_sampled_step_ != clock_.step) sample_whole();
   return whole_sample_;
 }
 
-/// The root, or a device's host, looks at the whole with lists of its own.
+/// The root looks at the whole with lists of its own.
 void Simulation::sample_whole() {
   whole();
-  if (is_on_device()) {
-    move_walls(clock_.now());
-    whole_.walls.poses = system_.walls.poses;
-  }
   ContactLists lists = prepare_lists(whole_, case_.simulation.skin);
   refresh_lists(whole_, lists, team_);
   Buffer<sc_field> field;
@@ -133,14 +129,15 @@ FrameData Simulation::frame_data_share() {
 }
 
 bool Simulation::is_finite() {
-  if (is_on_device()) whole();
+  if (is_on_device()) settle_device();
   call(Call::finite);
   return ranks_.all(is_share_finite());
 }
 
-bool Simulation::is_share_finite() const {
+bool Simulation::is_share_finite() {
+  retrieve();
   const auto bearable = [](double x) { return std::abs(x) < 1e100; };
-  const Particles& p = is_on_device() ? whole_.particles : system_.particles;
+  const Particles& p = system_.particles;
   const auto of_own = [&](const auto& column) {
     const auto* values = column.values.data();
     return std::all_of(values, values + p.size() * static_cast<std::size_t>(column.components), bearable);

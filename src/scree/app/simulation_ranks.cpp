@@ -167,6 +167,7 @@ std::vector<PlaneCount> Simulation::plane_counts() const {
 }
 
 void Simulation::gather() {
+  retrieve();
   move_walls(clock_.now());
   refresh_neighbours();
   const Stopwatch watch(stages_, "gathering");
@@ -175,12 +176,11 @@ void Simulation::gather() {
 }
 
 const ParticleSystem& Simulation::whole() {
-  if (is_on_device()) {
-    settle_device();
-    if (whole_step_ != clock_.step) bring_back();
-    return whole_;
+  if (is_on_device()) settle_device();
+  if (ranks_.alone()) {
+    retrieve();
+    return system_;
   }
-  if (ranks_.alone()) return system_;
   if (whole_step_ != clock_.step) {
     call(Call::gather);
     gather();

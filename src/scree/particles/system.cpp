@@ -217,6 +217,8 @@ bool refresh_lists(ParticleSystem& s, ContactLists& lists, const Team& team) {
   return true;
 }
 
+void forget_lists(ContactLists& lists) { lists.plan.ranges.clear(); }
+
 void update_ghosts(ParticleSystem& s, ContactLists& lists) {
   if (lists.ranks.alone() || lists.ghosts_current) return;
   renew_ghosts(s.particles, lists.halo, lists.ranks);

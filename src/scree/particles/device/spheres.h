@@ -54,8 +54,8 @@ class DeviceSpheres {
   /// Waits for the steps given.
   DeviceFindings settle();
 
-  /// Brings particles and contacts back; the rest of `whole` is taken from `system`. All steps must be settled.
-  void bring_back(const ParticleSystem& system, ParticleSystem& whole) const;
+  /// Brings particles, in the order of their ids, and contacts that act back to the system. All steps must be settled.
+  void bring_back(ParticleSystem& system) const;
 
   /// Who is in one of the regions, or reaches into it with his effect surface, with the partners of their contacts.
   /// All steps must be settled.

@@ -94,17 +94,15 @@ Luggage DeviceSpheres::remembered(const Lists& pairs, const Lists& faces, const 
   return out;
 }
 
-void DeviceSpheres::bring_back(const ParticleSystem& system, ParticleSystem& whole) const {
-  take_properties(system, whole);
-  Particles& p = whole.particles;
-  p = system.particles.none_alike();
+void DeviceSpheres::bring_back(ParticleSystem& system) const {
+  Particles& p = system.particles;
   p.resize(n_);
   p.for_each_field([&](std::string_view name, auto& values, auto...) {
     column(name).read(values.values.data(), n_ * row_bytes_.at(name));
   });
   const std::vector<std::int64_t> id(p.id.values.begin(), p.id.values.end());
   const auto id_of = [&](std::uint32_t row) { return std::pair(id[row], true); };
-  put_together(whole, remembered(lists_, face_lists_, id, id_of), rolls_);
+  put_together(system, remembered(lists_, face_lists_, id, id_of), rolls_);
 }
 
 /// Memory for so many rows; those that are there stay.
