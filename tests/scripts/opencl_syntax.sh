@@ -33,7 +33,7 @@ for header in $(find "$source/scree/physics" "$source/scree/kernels" -name '*.h'
   check "$header as C++" "$cxx" $cplusplus -Werror -I"$source" "$header"
   check "$header as C++, float" "$cxx" $cplusplus -Werror -DSCREE_FLOAT -Wdouble-promotion -I"$source" "$header"
 done
-laws="-DSC_GROUP=128 -DSC_CHOSEN_NORMAL=2 -DSC_CHOSEN_TANGENTIAL=6 -DSC_CHOSEN_ROLLING=1 -DSC_CHOSEN_TWISTING=1
+laws="-DSC_GROUP=128 -DSC_SEVERAL_RANKS=1 -DSC_CHOSEN_NORMAL=2 -DSC_CHOSEN_TANGENTIAL=6 -DSC_CHOSEN_ROLLING=1 -DSC_CHOSEN_TWISTING=1
       -DSC_CHOSEN_COHESION=2"
 kernels=$(mktemp --suffix=.cl)
 trap 'rm -f "$kernels"' EXIT

@@ -11,7 +11,6 @@
 namespace scree {
 
 std::string Simulation::state_hash() {
-  if (is_on_device()) settle_device();
   call(Call::hash);
   return hash_share();
 }
@@ -48,13 +47,11 @@ StateShare Simulation::share() {
 Archive Simulation::save_share() { return archive_of(share(), ranks_); }
 
 Archive Simulation::save() {
-  if (is_on_device()) settle_device();
   call(Call::save);
   return save_share();
 }
 
 void Simulation::keep() {
-  if (is_on_device()) settle_device();
   call(Call::keep);
   kept_ = share();
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "scree/app/build_forces.h"
@@ -34,10 +35,15 @@ void refuse_particles(const Case& c) {
 
 }  // namespace
 
-opencl::DeviceInfo find_device(const std::string& name) {
+opencl::DeviceInfo find_device(const std::string& name, int place) {
   const std::vector<opencl::DeviceInfo> all = opencl::devices();
   std::size_t number = 0;
   bool good = name == "opencl";
+  // GPUs come first; a rank more than there are of them is not to go to a processor.
+  if (good && !all.empty())
+    number = static_cast<std::size_t>(place) %
+             static_cast<std::size_t>(std::count_if(
+                 all.begin(), all.end(), [&](const opencl::DeviceInfo& d) { return d.gpu == all.front().gpu; }));
   if (name.starts_with("opencl:")) {
     const char *begin = name.data() + 7, *end = name.data() + name.size();
     const auto [stop, error] = std::from_chars(begin, end, number);

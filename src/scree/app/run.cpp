@@ -155,9 +155,8 @@ void run_to_stop(RunLoop& run, const RunOptions& options, const InterruptGuard& 
 /// The device of the run; none on the CPU.
 std::optional<opencl::DeviceInfo> device_of(const Case& c, const RunOptions& options) {
   if (options.device == "cpu") return {};
-  if (!options.ranks.alone()) throw InputError("--device: error[E190]: a run on a device is one process so far");
   refuse_on_device(c);
-  return find_device(options.device);
+  return find_device(options.device, options.processors.place);
 }
 
 /// The run as the root conducts it and as it is written.

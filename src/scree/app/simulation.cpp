@@ -99,12 +99,13 @@ void Simulation::move_walls(double time) {
     system_.walls.poses[w] = pose_at(motions_[w], time, contact_time_now().lead, clock_.dt);
 }
 
-void Simulation::exchange_particles() {
-  if (!exchange_.due(clock_.step)) return;
+/// Whether anybody has come or gone.
+bool Simulation::exchange_particles() {
+  if (!exchange_.due(clock_.step)) return false;
   refresh_neighbours();
   evaluate_own_fields(clock_.now());
   const double warmth = heat_ ? heat_content(system_.particles, ranks_) : 0;
-  if (!exchange_within(system_, lists_, field_)) return;
+  if (!exchange_within(system_, lists_, field_)) return false;
   if (heat_) {
     const double left = heat_content(system_.particles, ranks_);
     warm_up(*heat_, system_.particles);
@@ -115,6 +116,7 @@ void Simulation::exchange_particles() {
   note_owners();
   findings_.fastest2 = ranks_.largest(fastest_square(system_.particles));
   count_ = ranks_.total(static_cast<std::int64_t>(system_.particles.size()));
+  return true;
 }
 
 /// Lets those of a system come and go who are due; its lists and fields are those of now. Whether anybody did.

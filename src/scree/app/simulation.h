@@ -189,6 +189,7 @@ class Simulation {
   void call(Call what) const;
   void advance();
   void advance_on_device();
+  void send_to_device();
   void move_walls_on_device();
   void settle_device();
   void retrieve();
@@ -213,7 +214,7 @@ class Simulation {
   void cut_blocks(const Ranks& who_counts);
   void together(const std::function<void()>& look) const;
   void move_walls(double time);
-  void exchange_particles();
+  bool exchange_particles();
   void exchange_on_device();
   bool exchange_within(ParticleSystem& system, ContactLists& lists, const Buffer<sc_field>& fields);
   void move_prescribed_bodies();

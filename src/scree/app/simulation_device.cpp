@@ -23,17 +23,30 @@ void Simulation::advance_on_device() {
     exchange_on_device();
   } else {
     exchange_particles();
-    spheres.emplace(device_->device, system_, lists_, fields_, case_.simulation.max_overlap);
+    send_to_device();
   }
   spheres->step(move_now(), contact_time_now(), {system_.walls.poses, way_of_walls()});
   clock_.advance();
   if (spheres->is_full()) settle_device();
 }
 
+void Simulation::send_to_device() {
+  if (!ranks_.alone()) {
+    refresh_neighbours();
+    update_ghosts(system_, lists_);
+  }
+  device_->spheres.emplace(device_->device, system_, lists_, fields_, case_.simulation.max_overlap);
+}
+
 /// Those who may come or go, with their neighbours, are dealt with by the host.
 void Simulation::exchange_on_device() {
   if (!exchange_.due(clock_.step)) return;
   settle_device();
+  if (!ranks_.alone()) {
+    retrieve();
+    if (exchange_particles()) send_to_device();
+    return;
+  }
   const std::vector<sc_region> regions = exchange_.regions(system_.domain, clock_.now());
   if (regions.empty()) return;
   PartOfDevice part = device_->spheres->part_in(regions, system_);
@@ -62,7 +75,8 @@ void Simulation::settle_device() {
   const DeviceFindings found = device_->spheres->settle();
   clock_.step -= found.undone;
   if (found.steps == 0) return;
-  findings_ = own_findings_ = found.last;
+  findings_ = found.last;
+  own_findings_ = found.own;
   tally_.contacts += found.contacts;
   tally_.wall_contacts += found.wall_contacts;
   tally_.impacts += found.impacts;
@@ -81,7 +95,8 @@ void Simulation::retrieve() {
   move_walls(clock_.now());
   const Stopwatch watch(stages_, "gathering");
   device_->spheres->bring_back(system_);
-  forget_lists(lists_);
+  forget_lists(system_, lists_);
+  count_ = ranks_.total(static_cast<std::int64_t>(system_.particles.size()));
   retrieved_step_ = clock_.step;
 }
 

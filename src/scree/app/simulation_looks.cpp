@@ -13,7 +13,6 @@
 namespace scree {
 
 const Sample& Simulation::sample() {
-  if (is_on_device()) settle_device();
   if (sampled_step_ == clock_.step) return sample_;
   call(Call::sample);
   take_own_sample();
@@ -129,7 +128,6 @@ FrameData Simulation::frame_data_share() {
 }
 
 bool Simulation::is_finite() {
-  if (is_on_device()) settle_device();
   call(Call::finite);
   return ranks_.all(is_share_finite());
 }

@@ -126,7 +126,7 @@ void Simulation::cut_blocks(const Ranks& who_counts) {
 }
 
 std::int64_t Simulation::particles() const {
-  if (is_on_device()) return static_cast<std::int64_t>(device_->spheres->particles());
+  if (is_on_device() && ranks_.alone()) return static_cast<std::int64_t>(device_->spheres->particles());
   return ranks_.alone() ? static_cast<std::int64_t>(system_.particles.size()) : count_;
 }
 
@@ -176,7 +176,6 @@ void Simulation::gather() {
 }
 
 const ParticleSystem& Simulation::whole() {
-  if (is_on_device()) settle_device();
   if (ranks_.alone()) {
     retrieve();
     return system_;

@@ -78,6 +78,16 @@ int Blocks::owner(const double* x) const {
   return rank;
 }
 
+std::array<std::array<double, 2>, 3> Blocks::bounds(int rank, const Domain& domain) const {
+  const std::array<int, 3> place = place_of(*this, rank);
+  std::array<std::array<double, 2>, 3> out;
+  for (int k = 0; k < 3; ++k) {
+    const Interval i = interval(*this, domain, k, place[k]);
+    out[k] = {i.low, i.high};
+  }
+  return out;
+}
+
 bool Blocks::is_near(const double* x, int rank, double range, const Domain& domain) const {
   const std::array<int, 3> place = place_of(*this, rank);
   double d2 = 0;

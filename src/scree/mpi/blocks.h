@@ -28,6 +28,10 @@ struct Blocks {
   /// The rank in whose block a point is.
   int owner(const double* x) const;
 
+  /// From where to where along each axis the block of a rank goes [m]: beyond all bounds at the ends, but along
+  /// periodic axes.
+  std::array<std::array<double, 2>, 3> bounds(int rank, const Domain& domain) const;
+
   /// Whether a point is nearer than `range` [m] to the block of a rank, to the nearest image.
   bool is_near(const double* x, int rank, double range, const Domain& domain) const;
 

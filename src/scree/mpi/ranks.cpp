@@ -215,6 +215,7 @@ RanksOfRun::RanksOfRun() {
   std::vector<int> users = own;
   MPI_Allreduce(MPI_IN_PLACE, users.data(), CPU_SETSIZE, MPI_INT, MPI_SUM, machine);
   processors_ = share_of(own, users, neighbours);
+  MPI_Comm_rank(machine, &processors_.place);
   // A launcher that binds its ranks is not bound itself.
   const std::vector<int> of_launcher = processors_of(getppid());
   processors_.there = std::max(processors_.used, std::accumulate(of_launcher.begin(), of_launcher.end(), 0));

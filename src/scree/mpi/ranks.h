@@ -88,6 +88,7 @@ struct Processors {
   int used = 1;   // by all ranks of this machine together
   int there = 1;  // that whoever started the ranks may use
   int ranks = 1;  // on this machine
+  int place = 0;  // of this one among them
 };
 
 /// Those of this process, as if no other one were there.

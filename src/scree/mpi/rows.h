@@ -43,6 +43,17 @@ const std::byte* unpack_rows(Particles& particles, std::size_t first, std::size_
   return from;
 }
 
+/// Copies of the particles in `rows`, which may be copies of others, with all their fields.
+inline Particles copies_of(const Particles& particles, const std::vector<std::int32_t>& rows) {
+  const auto all = [](Travels) { return true; };
+  Bytes bytes;
+  pack_rows(particles, rows, all, bytes);
+  Particles out = particles.none_alike();
+  out.resize(rows.size());
+  unpack_rows(out, 0, rows.size(), all, bytes.data());
+  return out;
+}
+
 /// Bytes of one particle in pack_rows().
 template <class Wanted>
 std::size_t packed_size(const Particles& particles, Wanted&& wanted) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 
 #include "scree/base/error.h"
@@ -174,35 +175,76 @@ Luggage keep_share(ParticleSystem& s, const Blocks& blocks, const Ranks& ranks) 
   return luggage;
 }
 
-void migrate(ParticleSystem& s, const Blocks& blocks, const Ranks& ranks, std::vector<std::uint8_t>& gone,
-             Luggage& luggage) {
-  Particles& p = s.particles;
-  const auto n = static_cast<std::int32_t>(p.size());
-  std::vector<int> to(p.size(), ranks.rank());
+namespace {
+
+/// Where each particle belongs; those marked in `gone` stay.
+std::vector<int> owners_of(const Particles& p, const Blocks& blocks, int here, const std::vector<std::uint8_t>& gone) {
+  std::vector<int> to(p.size(), here);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (gone.empty() || i >= gone.size() || !gone[i]) to[i] = blocks.owner(p.motion.row(i));
+  return to;
+}
+
+/// Sends particles to the ranks in `to`, each with the luggage that `luggage_for(rank)` gives, and marks them in
+/// `gone`; adds those that come.
+template <class LuggageFor>
+void send_off(Particles& p, const std::vector<int>& to, const Ranks& ranks, std::vector<std::uint8_t>& gone,
+              Luggage& luggage, LuggageFor&& luggage_for) {
   std::vector<int> partners;
-  for (std::int32_t i = 0; i < n; ++i) {
-    if (!gone.empty() && std::size_t(i) < gone.size() && gone[i]) continue;
-    to[i] = blocks.owner(p.motion.row(i));
-    if (to[i] != ranks.rank()) partners.push_back(to[i]);
-  }
+  for (const int rank : to)
+    if (rank != ranks.rank()) partners.push_back(rank);
   std::sort(partners.begin(), partners.end());
   partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
   std::vector<Message> outgoing;
   for (const int partner : partners) {
     Parcel parcel;
-    for (std::int32_t i = 0; i < n; ++i)
-      if (to[i] == partner) parcel.rows.push_back(i);
-    const auto goes = [&](std::int32_t i) { return i < n && to[i] == partner; };
-    parcel.luggage.pairs = keyed_pairs(
-        s, [&](std::size_t c) { return goes(s.contacts.pairs.owner[c]) || goes(s.contacts.pairs.partner[c]); });
-    parcel.luggage.walls = keyed_walls(s, [&](std::size_t i) { return goes(static_cast<std::int32_t>(i)); });
+    for (std::size_t i = 0; i < to.size(); ++i)
+      if (to[i] == partner) parcel.rows.push_back(static_cast<std::int32_t>(i));
+    parcel.luggage = luggage_for(partner);
     outgoing.push_back({partner, pack_parcel(p, parcel)});
   }
   const std::vector<Message> incoming = ranks.deliver(outgoing);
   if (!partners.empty()) gone.resize(p.size(), 0);
-  for (std::int32_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < to.size(); ++i)
     if (to[i] != ranks.rank()) gone[i] = 1;
   for (const Message& message : incoming) unpack_parcel(message.bytes, p, luggage);
+}
+
+}  // namespace
+
+void migrate(ParticleSystem& s, const Blocks& blocks, const Ranks& ranks, std::vector<std::uint8_t>& gone,
+             Luggage& luggage) {
+  const std::vector<int> to = owners_of(s.particles, blocks, ranks.rank(), gone);
+  send_off(s.particles, to, ranks, gone, luggage, [&](int partner) {
+    const auto goes = [&](std::size_t i) { return i < to.size() && to[i] == partner; };
+    const Candidates& pairs = s.contacts.pairs;
+    return Luggage{
+        keyed_pairs(
+            s, [&](std::size_t c) { return goes(std::size_t(pairs.owner[c])) || goes(std::size_t(pairs.partner[c])); }),
+        keyed_walls(s, goes)};
+  });
+}
+
+void migrate(Particles& p, const Luggage& leaving, const Blocks& blocks, const Ranks& ranks,
+             std::vector<std::uint8_t>& gone, Luggage& luggage) {
+  const std::vector<int> to = owners_of(p, blocks, ranks.rank(), gone);
+  std::unordered_map<std::int64_t, int> rank_of;
+  for (std::size_t i = 0; i < to.size(); ++i)
+    if (to[i] != ranks.rank()) rank_of[p.id[i]] = to[i];
+  const auto of = [&](const KeyedContacts& contacts, int partner, int sides) {
+    std::vector<std::size_t> rows;
+    for (std::size_t c = 0; c < contacts.ids.size() / 2; ++c)
+      for (int side = 0; side < sides; ++side) {
+        const auto found = rank_of.find(contacts.ids[2 * c + static_cast<std::size_t>(side)]);
+        if (found == rank_of.end() || found->second != partner) continue;
+        rows.push_back(c);
+        break;
+      }
+    return rows_of(contacts, rows);
+  };
+  send_off(p, to, ranks, gone, luggage, [&](int partner) {
+    return Luggage{of(leaving.pairs, partner, 2), of(leaving.walls, partner, 1)};
+  });
 }
 
 KeyedContacts gather_shared_pairs(const ParticleSystem& mine, const Ranks& ranks) {

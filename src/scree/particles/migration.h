@@ -24,6 +24,11 @@ Luggage bring_home(ParticleSystem& system, const Luggage& read, const Blocks& bl
 void migrate(ParticleSystem& system, const Blocks& blocks, const Ranks& ranks, std::vector<std::uint8_t>& gone,
              Luggage& luggage);
 
+/// The same of some of a rank's particles, among them all that have left its block. `leaving` are the contacts that
+/// these take part in, each once.
+void migrate(Particles& particles, const Luggage& leaving, const Blocks& blocks, const Ranks& ranks,
+             std::vector<std::uint8_t>& gone, Luggage& luggage);
+
 /// The pairs of two ranks as each of the two remembers them, at the root: every one twice.
 KeyedContacts gather_shared_pairs(const ParticleSystem& mine, const Ranks& ranks);
 

@@ -219,10 +219,11 @@ void let_in(Particles& fresh, const Domain& domain, const Moment& moment, const 
     put(p.motion.row(i) + lane::vx, start.velocity);
     book(v, static_cast<std::int64_t>(i), start, {}, moved, 0);
     double *work = p.work.row(i), *impulse = p.impulse.row(i), *angular = p.angular_impulse.row(i);
+    // Not by a sign: nothing has none.
     for (int k = 0; k < 4; ++k) {
-      work[k] = -work[k];
-      impulse[k] = -impulse[k];
-      angular[k] = -angular[k];
+      work[k] = 0 - work[k];
+      impulse[k] = 0 - impulse[k];
+      angular[k] = 0 - angular[k];
     }
     work[1] -= gravity_work(p, domain, moment.move.gravity, i);
     const sc_vec weight = gravity_impulse(p, moment.move.gravity, moment.now, i);

@@ -217,7 +217,11 @@ bool refresh_lists(ParticleSystem& s, ContactLists& lists, const Team& team) {
   return true;
 }
 
-void forget_lists(ContactLists& lists) { lists.plan.ranges.clear(); }
+void forget_lists(const ParticleSystem& s, ContactLists& lists) {
+  lists.plan.ranges.clear();
+  lists.listed_ids.assign(s.particles.id.values.begin(), s.particles.id.values.end());
+  lists.ghosts_current = true;
+}
 
 void update_ghosts(ParticleSystem& s, ContactLists& lists) {
   if (lists.ranks.alone() || lists.ghosts_current) return;

@@ -70,8 +70,9 @@ ContactLists prepare_lists(const ParticleSystem& system, double skin);
 /// Makes the lists again if some particle may have come near another one unlisted. True if it did.
 bool refresh_lists(ParticleSystem& system, ContactLists& lists, const Team& team);
 
-/// The system has been put together from elsewhere, in another order: lists have to be made again before they are used.
-void forget_lists(ContactLists& lists);
+/// The system has been put together from elsewhere, in another order, its contacts in lists of their own: lists have to
+/// be made again before they are used.
+void forget_lists(const ParticleSystem& system, ContactLists& lists);
 
 /// Brings copies of other ranks' particles to the state of their originals, if they are not.
 void update_ghosts(ParticleSystem& system, ContactLists& lists);

@@ -80,6 +80,14 @@ class DeviceBuffer {
   std::size_t bytes_ = 0;
 };
 
+/// Memory of a device that holds some values.
+template <class T>
+DeviceBuffer sent(const Device& device, const std::vector<T>& values) {
+  DeviceBuffer buffer(device, values.size() * sizeof(T));
+  buffer.write(values.data(), values.size() * sizeof(T));
+  return buffer;
+}
+
 /// Compiled kernels.
 class Program {
  public:

@@ -10,6 +10,13 @@ typedef double4 real4;
   { SC_CHOSEN_NORMAL, SC_CHOSEN_TANGENTIAL, SC_CHOSEN_ROLLING, SC_CHOSEN_TWISTING, SC_CHOSEN_COHESION }
 #define SC_ROLLS (SC_CHOSEN_ROLLING != SC_ROLLING_NONE || SC_CHOSEN_TWISTING != SC_TWISTING_NONE)
 
+// SC_SEVERAL_RANKS: some of the particles are copies of those of other ranks, which move them.
+#if SC_SEVERAL_RANKS
+#define SC_IS_GHOST(ghost, i) ((ghost)[i] != 0)
+#else
+#define SC_IS_GHOST(ghost, i) 0
+#endif
+
 /// What a particle has gathered.
 typedef struct {
   sc_vec force, turn, couple;

@@ -40,9 +40,11 @@ typedef struct {
 
 /// The cells that particles are sorted into; who is beyond them belongs to the outermost.
 typedef struct {
-  real from[3], width[3];  // where they begin, and how wide one is [m]
-  int count[3];            // along each axis
-  int around[3];           // the first one comes after the last
+  real from[3], width[3];                     // where they begin, and how wide one is [m]
+  real middle[3], period[3], half_period[3];  // of the axis; who is there in several periods is where he is nearest to
+                                              // the middle
+  int count[3];                               // along each axis
+  int around[3];                              // the first one comes after the last
 } sc_cells;
 
 /// How many there are.

@@ -7,7 +7,9 @@
 
 SC_FN int sc_cell_along(sc_cells cells, int axis, real x) {
   const int last = cells.count[axis] - 1;
-  const real c = (x - cells.from[axis]) / cells.width[axis];
+  const real middle = cells.middle[axis];
+  const real there = middle + sc_nearest_image(x - middle, cells.period[axis], cells.half_period[axis]);
+  const real c = (there - cells.from[axis]) / cells.width[axis];
   return c > R(0) ? (c < (real)last ? (int)c : last) : 0;
 }
 
@@ -98,6 +100,17 @@ __kernel void sc_put_rows(const int n, const int words, __global const int* rows
   const size_t w = get_global_id(0);
   if (w >= (size_t)n * (size_t)words) return;
   to[(size_t)rows[w / (size_t)words] * (size_t)words + w % (size_t)words] = from[w];
+}
+
+/// Notes in `rows`, in any order, own particles that are not within a region; `found` counts them.
+__kernel void sc_find_outside(const int n, const sc_region region, __global const double4* motion,
+                              __global const int* ghost, __global int* rows, __global int* found) {
+  const size_t i = get_global_id(0);
+  if (i >= (size_t)n || ghost[i]) return;
+  const double4 x = motion[2 * i];
+  const int in = x.x > region.min[0] && x.x < region.max[0] && x.y > region.min[1] && x.y < region.max[1] &&
+                 x.z > region.min[2] && x.z < region.max[2];
+  if (!in) rows[atomic_inc(found)] = (int)i;
 }
 
 /// Notes in `rows`, in any order, who is in one of the regions or reaches into it; `found` counts them.

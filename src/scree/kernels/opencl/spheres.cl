@@ -64,7 +64,7 @@ SC_FN sc_vec sc_flow_at(sc_flow f, sc_vec x) {
 /// The contacts of particle i with others.
 SC_FN sc_gathered sc_meet_partners(sc_device_step p, size_t i, sc_row own, __global const real4* motion,
                                    __global const real4* spin, __global const real* excess, __global const int* material,
-                                   __global const sc_pair_law* laws, int count, __global uint* partners,
+                                   __global const int* ghost, __global const long* id, __global const sc_pair_law* laws, int count, __global uint* partners,
                                    __global real4* slides, __global real4* rolls, sc_found* found) {
   const sc_laws chosen = SC_CHOSEN_LAWS;
   sc_gathered g = sc_nothing_gathered();
@@ -91,8 +91,8 @@ SC_FN sc_gathered sc_meet_partners(sc_device_step p, size_t i, sc_row own, __glo
     if (SC_ROLLS && acts) rolls[slot] = sc_roll_row(r.state);
     const real depth = t.touch.overlap * SC_MAX(own.rim.w, other.rim.w);
     found->deepest = SC_MAX(found->deepest, depth);
-    // Both sides see the pair: one of them counts it.
-    if (!acts || j < i) continue;
+    // Both sides see the pair: one of them counts it, of two ranks that of the lower id.
+    if (!acts || (SC_IS_GHOST(ghost, j) ? id[j] < id[i] : j < i)) continue;
     ++found->contacts;
     if (code) continue;
     ++found->impacts;
@@ -171,7 +171,7 @@ SC_FN sc_findings sc_add_found(sc_findings f, sc_found sum) {
 __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
     const sc_device_step p, const int step, __global int* stale, __global const real4* motion, __global const real4* spin,
     __global real4* motion_out, __global real4* spin_out, __global const real* excess, __global const int* material,
-    __global const real4* listed, __global const sc_pair_law* laws, __global const int* counts, __global uint* partners,
+    __global const int* ghost, __global const long* id, __global const real4* listed, __global const sc_pair_law* laws, __global const int* counts, __global uint* partners,
     __global real4* slides, __global real4* rolls, __global const sc_wall* faces, __global const sc_wall_pose* poses,
     __global const int* face_counts, __global uint* near_faces, __global real4* face_slides, __global real4* face_rolls,
     __global real4* gaps, __global int* corners, __global int4* images,
@@ -187,10 +187,10 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
   found.fastest_square = found.deepest = R(0);
   found.contacts = found.wall_contacts = found.impacts = found.unsound = found.outside = found.stale = 0;
   found.impact_speed = 0;
-  if (!halted && i < (size_t)p.counts.particles) {
+  if (!halted && i < (size_t)p.counts.particles && !SC_IS_GHOST(ghost, i)) {
     const sc_row own = sc_read_row(motion, spin, excess, material, i, motion[2 * i]);
-    sc_gathered all_of = sc_meet_partners(p, i, own, motion, spin, excess, material, laws, counts[i], partners, slides,
-                                          rolls, &found);
+    sc_gathered all_of = sc_meet_partners(p, i, own, motion, spin, excess, material, ghost, id, laws, counts[i],
+                                          partners, slides, rolls, &found);
     sc_gathered of_walls = sc_nothing_gathered();
     const int free_body = own.speed.w > R(0);
     if (free_body && p.counts.faces > 0) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "scree/compute/opencl/text.h"
+#include "scree/particles/sweep.h"
 
 namespace scree {
 namespace {
@@ -17,11 +18,12 @@ constexpr int first_face_room = 3;  // the same of faces
 static_assert(SC_SPEED_QUANTUM == speed_quantum);
 
 /// The laws are constants of the kernels, so that the choice folds away.
-std::string options_for(const sc_laws& laws, std::size_t group) {
+std::string options_for(const sc_laws& laws, std::size_t group, bool several_ranks) {
   return fmt::format(
-      "-cl-std=CL1.2 -DSC_GROUP={} -DSC_CHOSEN_NORMAL={} -DSC_CHOSEN_TANGENTIAL={} -DSC_CHOSEN_ROLLING={} "
+      "-cl-std=CL1.2 -DSC_GROUP={} -DSC_SEVERAL_RANKS={:d} -DSC_CHOSEN_NORMAL={} -DSC_CHOSEN_TANGENTIAL={} "
+      "-DSC_CHOSEN_ROLLING={} "
       "-DSC_CHOSEN_TWISTING={} -DSC_CHOSEN_COHESION={}",
-      group, laws.normal, laws.tangential, laws.rolling, laws.twisting, laws.cohesion);
+      group, several_ranks, laws.normal, laws.tangential, laws.rolling, laws.twisting, laws.cohesion);
 }
 
 sc_flow flow_of(const Fields& f) {
@@ -49,23 +51,16 @@ sc_box box_of(const Domain& domain) {
   return box;
 }
 
-template <class T>
-opencl::DeviceBuffer sent(const opencl::Device& device, const T* values, std::size_t count) {
-  opencl::DeviceBuffer buffer(device, count * sizeof(T));
-  buffer.write(values, count * sizeof(T));
-  return buffer;
-}
-
 }  // namespace
 
 DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem& s, const ContactLists& lists,
                              const Fields& fields, double max_overlap)
     : device_(device),
-      program_(device, opencl::kernel_text, options_for(s.laws, group)),
+      program_(device, opencl::kernel_text, options_for(s.laws, group, !lists.ranks.alone())),
       laws_of_run_(s.laws),
       first_law_(s.materials.law[0]),
       rolls_(s.contacts.remembers_rolling),
-      n_(s.particles.size()),
+      n_(s.particles.held()),
       materials_(s.materials.count()),
       faces_(s.walls.size()),
       walls_(s.walls.poses.size()),
@@ -78,8 +73,10 @@ DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem&
   constants_.flow = flow_of(fields);
   constants_.fields = act_locally(fields);
   constants_.max_overlap = max_overlap;
-  laws_ = sent(device_, s.materials.law.data(), s.materials.law.size());
+  wraps_ = s.domain.periodic;
+  laws_ = opencl::sent(device_, s.materials.law);
   check_kernels();
+  if (!lists.ranks.alone()) join(s, lists);
   send_particles(s.particles);
   send_walls(s);
   send_contacts(s);
@@ -104,22 +101,28 @@ DeviceSpheres::Lists DeviceSpheres::make_room(std::size_t particles, int room) c
 }
 
 void DeviceSpheres::send_particles(const Particles& particles) {
+  alike_ = particles.none_alike();
   particles.for_each_field([&](std::string_view name, const auto& column, auto...) {
     using Value = typename std::decay_t<decltype(column)>::value_type;
     const std::size_t width = static_cast<std::size_t>(std::decay_t<decltype(column)>::components);
     row_bytes_[name] = width * sizeof(Value);
     if (name != "motion" && name != "spin") columns_[name] = {};
   });
+  if (borders_) {
+    columns_[ghost_column] = {};
+    row_bytes_[ghost_column] = sizeof(std::int32_t);
+  }
   reserve(n_);
   particles.for_each_field([&](std::string_view name, const auto& values, auto...) {
     column(name).write(values.values.data(), n_ * row_bytes_.at(name));
   });
+  if (borders_) put_words(borders_->ghosts, 1, columns_.at(ghost_column));
   stale_ = opencl::DeviceBuffer(device_, (most_given + 1) * sizeof(std::int32_t));
   counters_ = opencl::DeviceBuffer(device_, 2 * sizeof(std::int32_t));
 }
 
 void DeviceSpheres::send_walls(const ParticleSystem& s) {
-  wall_faces_ = sent(device_, s.walls.faces.data(), s.walls.faces.size());
+  wall_faces_ = opencl::sent(device_, s.walls.faces);
   wall_poses_ = opencl::DeviceBuffer(device_, most_given * walls_ * sizeof(sc_wall_pose));
 }
 
@@ -195,47 +198,74 @@ void DeviceSpheres::launch(const Given& given, int number) {
       constants_.box.period[0] + constants_.box.period[1] + constants_.box.period[2] == 0 && sc_dot(g, g) > 0;
   const int from = (now_ + number) % 2, to = 1 - from;
   program_.run("sc_pass", n_, group, constants_, number, stale_, motion_[from], spin_[from], motion_[to], spin_[to],
-               columns_.at("effect_excess"), columns_.at("material"), listed_, laws_, lists_.counts, lists_.entries,
-               lists_.slides, lists_.rolls, wall_faces_, wall_poses_, face_lists_.counts, face_lists_.entries,
-               face_lists_.slides, face_lists_.rolls, gaps_, corners_, columns_.at("image"), columns_.at("loss"),
-               columns_.at("work"), columns_.at("impulse"), columns_.at("angular_impulse"), found_);
+               columns_.at("effect_excess"), columns_.at("material"), ghost_flags(), columns_.at("id"), listed_, laws_,
+               lists_.counts, lists_.entries, lists_.slides, lists_.rolls, wall_faces_, wall_poses_, face_lists_.counts,
+               face_lists_.entries, face_lists_.slides, face_lists_.rolls, gaps_, corners_, columns_.at("image"),
+               columns_.at("loss"), columns_.at("work"), columns_.at("impulse"), columns_.at("angular_impulse"),
+               found_);
 }
 
 /// What the steps have found since the last time.
 void DeviceSpheres::add_findings(DeviceFindings& to) {
-  to.last = {};
+  SweepFindings own;
+  std::vector<std::int64_t> sums(4, 0);  // contacts, with walls, impacts, their speeds
   for (const sc_findings& f : found_.values<sc_findings>(groups())) {
-    to.last.fastest2 = std::max(to.last.fastest2, f.fastest_square);
-    to.last.deepest = std::max(to.last.deepest, f.deepest);
-    to.last.contacts += f.contacts;
-    to.last.wall_contacts += f.wall_contacts;
-    to.last.sound = to.last.sound && !f.unsound;
-    to.last.inside = to.last.inside && !f.outside;
-    to.contacts += f.all_contacts;
-    to.wall_contacts += f.all_wall_contacts;
-    to.impacts += f.impacts;
-    to.impact_speed += f.impact_speed;
+    own.fastest2 = std::max(own.fastest2, f.fastest_square);
+    own.deepest = std::max(own.deepest, f.deepest);
+    own.contacts += f.contacts;
+    own.wall_contacts += f.wall_contacts;
+    own.sound = own.sound && !f.unsound;
+    own.inside = own.inside && !f.outside;
+    sums[0] += f.all_contacts;
+    sums[1] += f.all_wall_contacts;
+    sums[2] += f.impacts;
+    sums[3] += f.impact_speed;
   }
+  const Ranks alone;
+  const Ranks& ranks = borders_ ? borders_->ranks : alone;
+  ranks.add_up(sums);
+  to.own = own;
+  to.last = agree(ranks, own);
+  to.contacts += sums[0];
+  to.wall_contacts += sums[1];
+  to.impacts += sums[2];
+  to.impact_speed += sums[3];
   found_.clear();
 }
 
-/// Gives the steps to the device, all at once; again and again with fresh lists those that were not done.
+/// All steps at once; those after one that halts do nothing.
+DeviceSpheres::Done DeviceSpheres::do_ahead() {
+  for (std::size_t k = 0; k < given_.size(); ++k) launch(given_[k], static_cast<int>(k));
+  const auto stale = stale_.values<std::int32_t>(given_.size() + 1);
+  const auto halt = std::find_if(stale.begin() + 1, stale.end(), [](std::int32_t s) { return s != 0; });
+  if (halt == stale.end()) return {std::ssize(given_), false};
+  return {halt - stale.begin(), true};
+}
+
+/// One step after the other, with the other ranks.
+DeviceSpheres::Done DeviceSpheres::do_in_turn() {
+  for (std::size_t k = 0; k < given_.size(); ++k) {
+    const int number = static_cast<int>(k);
+    launch(given_[k], number);
+    if (swap_ghosts((now_ + number + 1) % 2, number)) return {number + 1, true};
+  }
+  return {std::ssize(given_), false};
+}
+
+/// Gives the steps to the device, as many as lists hold for; again and again with fresh lists those that were not done.
 DeviceFindings DeviceSpheres::settle() {
   DeviceFindings out;
   while (!given_.empty()) {
     send_poses();
     if (!listed_already_) make_lists();
-    for (std::size_t k = 0; k < given_.size(); ++k) launch(given_[k], static_cast<int>(k));
-    const auto stale = stale_.values<std::int32_t>(given_.size() + 1);
-    const auto halt = std::find_if(stale.begin() + 1, stale.end(), [](std::int32_t s) { return s != 0; });
-    const std::ptrdiff_t done = halt == stale.end() ? std::ssize(given_) : halt - stale.begin();
-    now_ = static_cast<int>((now_ + done) % 2);
-    steps_listed_ += done;
-    out.steps += done;
-    given_.erase(given_.begin(), given_.begin() + done);
+    const Done done = borders_ ? do_in_turn() : do_ahead();
+    now_ = static_cast<int>((now_ + done.steps) % 2);
+    steps_listed_ += done.steps;
+    out.steps += done.steps;
+    given_.erase(given_.begin(), given_.begin() + done.steps);
     add_findings(out);
     stale_.clear();
-    if (halt != stale.end()) listed_already_ = false;
+    if (done.halted) listed_already_ = false;
     if (!out.last.sound || !out.last.inside || out.last.deepest > constants_.max_overlap) break;
   }
   out.undone = std::ssize(given_);

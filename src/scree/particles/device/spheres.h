@@ -4,20 +4,24 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "scree/compute/opencl/device.h"
 #include "scree/kernels/opencl/parameters.h"
+#include "scree/particles/device/borders.h"
 #include "scree/particles/fields.h"
 #include "scree/particles/reach.h"
 #include "scree/particles/system.h"
 
 namespace scree {
 
-/// What steps on a device have found since they were last asked for.
+/// What steps on a device have found since they were last asked for; of several ranks together.
 struct DeviceFindings {
   SweepFindings last;                                                           // of the last step
+  SweepFindings own;                                                            // of this rank in the last step
   std::int64_t contacts = 0, wall_contacts = 0, impacts = 0, impact_speed = 0;  // summed over the steps
   std::int64_t steps = 0;                                                       // done
   std::int64_t undone = 0;  // steps given that were not done, because one before them went wrong
@@ -41,7 +45,8 @@ struct PartOfDevice {
 class DeviceSpheres {
  public:
   /// Compiles the kernels for the laws of the system, checks them against the host's numbers and sends the system's
-  /// particles and contacts to the device. `max_overlap` stops the run. Throws ResourceError.
+  /// particles and contacts to the device. `max_overlap` stops the run. Of several ranks each has a device; copies of
+  /// others' particles must be there, and all ranks call all members alike. Throws ResourceError.
   DeviceSpheres(const opencl::Device& device, const ParticleSystem& system, const ContactLists& lists,
                 const Fields& fields, double max_overlap);
 
@@ -54,7 +59,8 @@ class DeviceSpheres {
   /// Waits for the steps given.
   DeviceFindings settle();
 
-  /// Brings particles, in the order of their ids, and contacts that act back to the system. All steps must be settled.
+  /// Brings particles, in the order of their ids, copies of others' particles after them, and contacts that act back to
+  /// the system. All steps must be settled.
   void bring_back(ParticleSystem& system) const;
 
   /// Who is in one of the regions, or reaches into it with his effect surface, with the partners of their contacts.
@@ -65,7 +71,8 @@ class DeviceSpheres {
   /// that of before. The system's walls are where they are now.
   void put_back(const PartOfDevice& before, const ParticleSystem& after);
 
-  std::size_t particles() const { return n_; }
+  /// Own particles.
+  std::size_t particles() const { return n_ - (borders_ ? borders_->ghosts.size() : 0); }
 
   /// Listed partners of a particle, on average.
   double candidates() const;
@@ -96,6 +103,16 @@ class DeviceSpheres {
     sc_contact_time time;
     WallsOfStep walls;
   };
+  struct Done {
+    std::ptrdiff_t steps;
+    bool halted;  // lists hold no more, or something has gone wrong
+  };
+  /// Contacts of some particles, and who else takes part in them.
+  struct ContactsOfSome {
+    Luggage contacts;
+    std::vector<std::int32_t> partners;  // rows, some of them several times
+  };
+  static constexpr std::string_view ghost_column = "ghost";  // 1 of copies of others' particles
 
   void check_kernels();
   void check_sums();
@@ -114,12 +131,33 @@ class DeviceSpheres {
   opencl::DeviceBuffer& column(std::string_view name);
   const opencl::DeviceBuffer& column(std::string_view name) const;
   Lists taken(const Lists& lists, const std::vector<std::int32_t>& rows);
-  Particles particles_at(const std::vector<std::int32_t>& rows, const Particles& alike);
+  ContactsOfSome contacts_of(const std::vector<std::int32_t>& rows, const std::vector<std::int64_t>& id);
+  Particles particles_at(const std::vector<std::int32_t>& rows);
+  std::vector<std::int64_t> ids_at(const std::vector<std::int32_t>& rows);
+  std::vector<std::int32_t> found_rows();
   std::vector<std::int32_t> rows_in(const std::vector<sc_region>& regions);
   void put_rows(const std::vector<std::int32_t>& rows, const Particles& values);
   void append(const Particles& fresh);
   void reach_as_far_as(const ParticleSystem& system, const Sizes& sizes);
   void dismiss(const std::vector<std::int32_t>& rows);
+  void put_words(const std::vector<std::int32_t>& rows, std::int32_t word, opencl::DeviceBuffer& to);
+  const opencl::DeviceBuffer& ghost_flags() const;
+  void join(const ParticleSystem& system, const ContactLists& lists);
+  void share_evenly();
+  void cover_block(double range);
+  std::vector<std::int32_t> rows_at_borders(double range);
+  Luggage luggage_of(const Particles& border, const std::vector<std::int32_t>& rows);
+  void meet_others();
+  void take_places(const Particles& around, std::unordered_map<std::int64_t, std::int32_t>& row_of,
+                   std::vector<std::int32_t>& standing);
+  void follow(std::vector<std::int32_t>& rows);
+  void follow_others();
+  void unpack_luggage();
+  void put_memory(const KeyedContacts& contacts, const std::unordered_map<std::int64_t, std::int32_t>& row_of,
+                  Lists& lists, bool of_faces);
+  bool swap_ghosts(int to, int step);
+  Done do_ahead();
+  Done do_in_turn();
   void make_lists();
   void sort_particles();
   void permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t count);
@@ -148,6 +186,7 @@ class DeviceSpheres {
   std::size_t faces_, walls_;
   sc_device_step constants_{};
   std::array<double, 3> least_{}, greatest_{};  // corners of what the cells cover [m]
+  std::array<bool, 3> wraps_{};                 // that is a whole period
   sc_cells cells_{};
   Sizes sizes_;        // of all that have been there
   double range_ = 0;   // two bodies whose centres are further apart are not listed, skin left out [m]
@@ -164,8 +203,10 @@ class DeviceSpheres {
   opencl::DeviceBuffer cell_of_, cell_first_, cursor_, order_, place_, gone_, scratch_, found_, stale_, counters_;
   Lists lists_, fresh_, face_lists_, fresh_face_lists_;
   std::vector<Given> given_;
-  std::int64_t steps_listed_ = 0;  // since the lists were made
-  double walls_travelled_ = 0;     // no wall goes further from then to the end of the step launched last [m]
+  Particles alike_;                       // none, with the fields that there are
+  std::optional<DeviceBorders> borders_;  // where there are several ranks
+  std::int64_t steps_listed_ = 0;         // since the lists were made
+  double walls_travelled_ = 0;            // no wall goes further from then to the end of the step launched last [m]
   bool listed_already_ = false;
 };
 

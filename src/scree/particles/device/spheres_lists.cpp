@@ -1,6 +1,7 @@
 // Spheres on a device: putting them in the order of their cells, and finding partners.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "scree/particles/device/spheres.h"
@@ -23,7 +24,10 @@ void DeviceSpheres::fit_cells() {
       cells_.from[k] = least_[k];
       cells_.count[k] = static_cast<int>(std::clamp(std::floor(length / width), 1.0, 1e6));
       cells_.width[k] = length / cells_.count[k];
-      cells_.around[k] = constants_.box.period[k] > 0;
+      cells_.middle[k] = 0.5 * (greatest_[k] + least_[k]);
+      cells_.period[k] = wraps_[k] ? 0 : constants_.box.period[k];
+      cells_.half_period[k] = wraps_[k] ? std::numeric_limits<double>::infinity() : constants_.box.half_period[k];
+      cells_.around[k] = wraps_[k];
       all *= cells_.count[k];
     }
     if (all <= std::min(4.0 * static_cast<double>(n_ + come_) + 64, static_cast<double>(most_cells))) return;
@@ -108,8 +112,8 @@ void DeviceSpheres::search_into(Lists& lists, Search&& search) {
 void DeviceSpheres::find_partners() {
   search_into(fresh_, [&](const sc_counts& sizes) {
     program_.run("sc_find_partners", n_, group, constants_.box, cells_, sizes, skin_ + beyond_, motion_[now_],
-                 columns_.at("effect_excess"), columns_.at("id"), cell_first_, fresh_.counts, fresh_.entries,
-                 counters_);
+                 columns_.at("effect_excess"), columns_.at("id"), ghost_flags(), cell_first_, fresh_.counts,
+                 fresh_.entries, counters_);
   });
 }
 
@@ -117,7 +121,7 @@ void DeviceSpheres::find_faces() {
   Lists& to = fresh_face_lists_;
   search_into(to, [&](const sc_counts& sizes) {
     program_.run("sc_find_faces", n_, group, sizes, skin_ + beyond_, motion_[now_], columns_.at("effect_excess"),
-                 wall_faces_, wall_poses_, to.counts, to.entries, counters_);
+                 wall_faces_, wall_poses_, ghost_flags(), to.counts, to.entries, counters_);
   });
 }
 
@@ -126,8 +130,8 @@ void DeviceSpheres::carry_over(Lists& from, Lists& to, bool of_faces) {
   const int none[2] = {0, 0};
   counters_.write(none, sizeof none);
   program_.run("sc_carry_over", n_, group, static_cast<int>(n_), static_cast<int>(from.particles),
-               static_cast<int>(of_faces), order_, place_, from.counts, from.entries, from.slides, from.rolls,
-               to.counts, to.entries, to.slides, to.rolls, counters_);
+               static_cast<int>(of_faces), order_, place_, ghost_flags(), from.counts, from.entries, from.slides,
+               from.rolls, to.counts, to.entries, to.slides, to.rolls, counters_);
   // A wall may jump away from a contact; two particles cannot part so fast.
   const bool lost = counters_.values<std::int32_t>(1)[0] != 0;
   if (lost && !of_faces) throw std::logic_error("a contact that acts is on no list of the device");
@@ -137,7 +141,9 @@ void DeviceSpheres::carry_over(Lists& from, Lists& to, bool of_faces) {
 
 void DeviceSpheres::make_lists() {
   adapt_skin();
+  if (borders_) meet_others();
   sort_particles();
+  if (borders_) follow_others();
   find_partners();
   carry_over(lists_, fresh_, false);
   if (faces_ > 0) {
@@ -149,6 +155,7 @@ void DeviceSpheres::make_lists() {
       corners_ = opencl::DeviceBuffer(device_, slots * sizeof(std::int32_t));
     }
   }
+  if (borders_) unpack_luggage();
   program_.run("sc_note_places", n_, group, static_cast<int>(n_), motion_[now_], listed_);
   steps_listed_ = 0;
   walls_travelled_ = 0;

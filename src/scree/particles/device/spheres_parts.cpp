@@ -3,18 +3,16 @@
 #include <cstdint>
 #include <numeric>
 #include <unordered_map>
+#include <unordered_set>
 
+#include "scree/mpi/rows.h"
 #include "scree/particles/device/spheres.h"
 #include "scree/particles/keyed_contacts.h"
 
 namespace scree {
 namespace {
 
-opencl::DeviceBuffer sent_rows(const opencl::Device& device, const std::vector<std::int32_t>& rows) {
-  opencl::DeviceBuffer buffer(device, rows.size() * sizeof(std::int32_t));
-  buffer.write(rows.data(), buffer.bytes());
-  return buffer;
-}
+bool everything(Travels) { return true; }
 
 /// The properties of a system that are no particles and no contacts.
 void take_properties(const ParticleSystem& from, ParticleSystem& to) {
@@ -32,9 +30,8 @@ void remember(KeyedContacts& to, std::int64_t a, std::int64_t b, const double* s
   to.memory.push_back(code == contact_code(true, true) ? 1.0 : 0.0);
 }
 
-/// Puts a system's particles in the order of their ids, and makes lists of the contacts that act.
-void put_together(ParticleSystem& system, const Luggage& acting, bool rolls) {
-  system.particles.permute(order_by_id(system.particles));
+/// Makes lists of the contacts that act.
+void put_contacts(ParticleSystem& system, const Luggage& acting, bool rolls) {
   const RowsById rows = rows_of_held(system.particles);
   system.contacts = pairs_of(acting.pairs, rows, rolls, false);
   system.wall_contacts = walls_of(acting.walls, rows, system.particles, system.walls.size());
@@ -101,8 +98,20 @@ void DeviceSpheres::bring_back(ParticleSystem& system) const {
     column(name).read(values.values.data(), n_ * row_bytes_.at(name));
   });
   const std::vector<std::int64_t> id(p.id.values.begin(), p.id.values.end());
-  const auto id_of = [&](std::uint32_t row) { return std::pair(id[row], true); };
-  put_together(system, remembered(lists_, face_lists_, id, id_of), rolls_);
+  std::vector<std::int32_t> ghost(n_, 0);
+  if (borders_) ghost_flags().read(ghost.data(), n_ * sizeof ghost[0]);
+  const auto id_of = [&](std::uint32_t row) { return std::pair(id[row], ghost[row] == 0); };
+  const Luggage acting = remembered(lists_, face_lists_, id, id_of);
+  std::vector<std::uint32_t> own = order_by_id(p);
+  std::erase_if(own, [&](std::uint32_t row) { return ghost[row] != 0; });
+  Bytes copies;
+  if (borders_) pack_rows(p, borders_->ghosts, everything, copies);
+  p.permute(own);
+  if (borders_) {
+    p.resize_ghosts(borders_->ghosts.size());
+    unpack_rows(p, own.size(), borders_->ghosts.size(), everything, copies.data());
+  }
+  put_contacts(system, acting, rolls_);
 }
 
 /// Memory for so many rows; those that are there stay.
@@ -136,6 +145,11 @@ std::vector<std::int32_t> DeviceSpheres::rows_in(const std::vector<sc_region>& r
   all.write(regions.data(), all.bytes());
   program_.run("sc_find_in_regions", n_, group, static_cast<int>(n_), static_cast<int>(regions.size()), all,
                motion_[now_], columns_.at("effect_excess"), scratch_, counters_);
+  return found_rows();
+}
+
+/// What a search has left in `scratch_`, rising.
+std::vector<std::int32_t> DeviceSpheres::found_rows() {
   auto rows = scratch_.values<std::int32_t>(static_cast<std::size_t>(counters_.values<std::int32_t>(1)[0]));
   std::sort(rows.begin(), rows.end());
   return rows;
@@ -145,17 +159,17 @@ std::vector<std::int32_t> DeviceSpheres::rows_in(const std::vector<sc_region>& r
 DeviceSpheres::Lists DeviceSpheres::taken(const Lists& lists, const std::vector<std::int32_t>& rows) {
   Lists out = make_room(rows.size(), lists.room);
   if (rows.empty()) return out;
-  program_.run("sc_take_lists", rows.size(), group, static_cast<int>(rows.size()), sent_rows(device_, rows),
+  program_.run("sc_take_lists", rows.size(), group, static_cast<int>(rows.size()), opencl::sent(device_, rows),
                static_cast<int>(lists.particles), lists.counts, lists.entries, lists.slides, lists.rolls, out.counts,
                out.entries, out.slides, out.rolls);
   return out;
 }
 
-Particles DeviceSpheres::particles_at(const std::vector<std::int32_t>& rows, const Particles& alike) {
-  Particles out = alike.none_alike();
+Particles DeviceSpheres::particles_at(const std::vector<std::int32_t>& rows) {
+  Particles out = alike_;
   out.resize(rows.size());
   if (rows.empty()) return out;
-  const opencl::DeviceBuffer from = sent_rows(device_, rows);
+  const opencl::DeviceBuffer from = opencl::sent(device_, rows);
   out.for_each_field([&](std::string_view name, auto& values, auto...) {
     const std::size_t row_bytes = row_bytes_.at(name), words = row_bytes / sizeof(std::uint32_t);
     program_.run("sc_take_rows", rows.size() * words, group, static_cast<int>(rows.size()), static_cast<int>(words),
@@ -165,40 +179,55 @@ Particles DeviceSpheres::particles_at(const std::vector<std::int32_t>& rows, con
   return out;
 }
 
+/// The contacts of the particles in `rows`, whose ids are `id`.
+DeviceSpheres::ContactsOfSome DeviceSpheres::contacts_of(const std::vector<std::int32_t>& rows,
+                                                         const std::vector<std::int64_t>& id) {
+  ContactsOfSome out;
+  const Lists pairs = taken(lists_, rows), faces = taken(face_lists_, rows);
+  for_each_acting(pairs, [&](std::size_t, std::uint32_t entry, auto...) {
+    out.partners.push_back(static_cast<std::int32_t>(entry & SC_PARTNER));
+  });
+  const std::vector<std::int64_t> partner_ids = ids_at(out.partners);
+  std::unordered_map<std::uint32_t, std::int64_t> partner;
+  for (std::size_t k = 0; k < partner_ids.size(); ++k)
+    partner[static_cast<std::uint32_t>(out.partners[k])] = partner_ids[k];
+  const std::unordered_set<std::int32_t> asked(rows.begin(), rows.end());
+  out.contacts = remembered(pairs, faces, id, [&](std::uint32_t row) {
+    return std::pair(partner.at(row), asked.contains(static_cast<std::int32_t>(row)));
+  });
+  return out;
+}
+
+std::vector<std::int64_t> DeviceSpheres::ids_at(const std::vector<std::int32_t>& rows) {
+  if (rows.empty()) return {};
+  opencl::DeviceBuffer ids(device_, rows.size() * sizeof(std::int64_t));
+  program_.run("sc_take_rows", 2 * rows.size(), group, static_cast<int>(rows.size()), 2, opencl::sent(device_, rows),
+               columns_.at("id"), ids);
+  return ids.values<std::int64_t>(rows.size());
+}
+
 PartOfDevice DeviceSpheres::part_in(const std::vector<sc_region>& regions, const ParticleSystem& system) {
   const std::vector<std::int32_t> asked = rows_in(regions);
-  const Lists pairs = taken(lists_, asked), faces = taken(face_lists_, asked);
+  const ContactsOfSome some = contacts_of(asked, ids_at(asked));
+  std::vector<std::int32_t> rows = asked;
+  rows.insert(rows.end(), some.partners.begin(), some.partners.end());
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   PartOfDevice part;
-  part.rows = asked;
-  for_each_acting(pairs, [&](std::size_t, std::uint32_t entry, auto...) {
-    part.rows.push_back(static_cast<std::int32_t>(entry & SC_PARTNER));
-  });
-  std::sort(part.rows.begin(), part.rows.end());
-  part.rows.erase(std::unique(part.rows.begin(), part.rows.end()), part.rows.end());
   take_properties(system, part.system);
   Particles& p = part.system.particles;
-  p = particles_at(part.rows, system.particles);
-  const auto place_of = [](const std::vector<std::int32_t>& rows, std::int32_t row) {
-    return static_cast<std::size_t>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
-  };
-  const auto id_of = [&](std::uint32_t row) {
-    const std::int32_t r = static_cast<std::int32_t>(row);
-    return std::pair(p.id[place_of(part.rows, r)], std::binary_search(asked.begin(), asked.end(), r));
-  };
-  std::vector<std::int64_t> id;
-  for (const std::int32_t row : asked) id.push_back(p.id[place_of(part.rows, row)]);
-  const Luggage acting = remembered(pairs, faces, id, id_of);
-  std::vector<std::int32_t> rows;
-  for (const std::uint32_t i : order_by_id(p)) rows.push_back(part.rows[i]);
-  part.rows = std::move(rows);
-  put_together(part.system, acting, rolls_);
+  p = particles_at(rows);
+  const std::vector<std::uint32_t> order = order_by_id(p);
+  for (const std::uint32_t i : order) part.rows.push_back(rows[i]);
+  p.permute(order);
   part.id.assign(p.id.values.begin(), p.id.values.end());
+  put_contacts(part.system, some.contacts, rolls_);
   return part;
 }
 
 void DeviceSpheres::put_rows(const std::vector<std::int32_t>& rows, const Particles& values) {
   if (rows.empty()) return;
-  const opencl::DeviceBuffer to = sent_rows(device_, rows);
+  const opencl::DeviceBuffer to = opencl::sent(device_, rows);
   values.for_each_field([&](std::string_view name, const auto& from, auto...) {
     const std::size_t row_bytes = row_bytes_.at(name), words = row_bytes / sizeof(std::uint32_t);
     scratch_.write(from.values.data(), rows.size() * row_bytes);
@@ -219,11 +248,7 @@ void DeviceSpheres::append(const Particles& fresh) {
 
 /// Those who go are marked until lists are made.
 void DeviceSpheres::dismiss(const std::vector<std::int32_t>& rows) {
-  if (rows.empty()) return;
-  const std::vector<std::int32_t> marks(rows.size(), 1);
-  scratch_.write(marks.data(), marks.size() * sizeof marks[0]);
-  program_.run("sc_put_rows", rows.size(), group, static_cast<int>(rows.size()), 1, sent_rows(device_, rows), scratch_,
-               gone_);
+  put_words(rows, 1, gone_);
   gone_count_ += rows.size();
 }
 

@@ -1,0 +1,88 @@
+"""Runs on several processes, each with an OpenCL device: what one process on the processors gives. usage:
+ranks_device_test.py PROGRAM MPIEXEC"""
+
+import re
+import unittest
+
+from ranks_common import CROWD, SPHERES_COME, Ranks
+
+# Everything swarms to one corner: blocks are cut anew, and everybody there changes the rank.
+SWARM = """
+[simulation]
+end = 0.015
+time_step = 1e-5
+max_overlap = 0.9
+[domain]
+min = [0, 0, 0]
+max = [0.06, 0.06, 0.06]
+periodic = [true, false, false]
+[gravity]
+type = "uniform"
+acceleration = [400, -300, -300]
+[[materials]]
+name = "glass"
+density = 2000
+stiffness = 1000
+restitution = 0.5
+friction = 0.3
+[[particles]]
+name = "grains"
+material = "glass"
+diameter = { distribution = "uniform", min = "2 mm", max = "3 mm" }
+insert = "random"
+count = 400
+velocity = { type = "random", deviation = 0.5 }
+[[walls]]
+name = "room"
+type = "box"
+material = "glass"
+min = [-0.05, 0, 0]
+max = [0.1, 0.06, 0.06]
+[output]
+series = "5 ms"
+"""
+
+
+def without_planes(case):
+    return re.sub(r"\[\[analysis\.planes\]\]\n(\w.*\n)+", "", case)
+
+
+class OnDevices(Ranks):
+    def same_on_devices(self, case, ranks):
+        alone = self.run_on(0, case, "alone")
+        self.assertGreater(alone["contacts"], 1000)
+        for n in ranks:
+            shared = self.run_on(n, case, f"on{n}", "--device", "opencl")
+            for key in ("state_hash", "steps", "particles", "contacts", "wall_contacts", "ledger"):
+                self.assertEqual(shared[key], alone[key], (n, key))
+            self.assertEqual(shared["ranks"], n)
+            self.assertIn("device", shared["stages"])
+            self.same_files("alone", f"on{n}")
+        return alone
+
+    def test_a_crowd_through_periodic_faces_walls_and_cuts(self):
+        self.same_on_devices(without_planes(CROWD), [2, 3])
+
+    def test_a_swarm_for_which_blocks_are_cut_anew(self):
+        self.same_on_devices(SWARM, [2, 4])
+
+    def test_particles_that_come_and_go(self):
+        self.same_on_devices(without_planes(SPHERES_COME), [2])
+
+    def test_a_restart_on_another_number_of_devices(self):
+        case = without_planes(CROWD)
+        alone = self.run_on(0, case, "alone")
+        self.run_on(2, case, "parts", "--device", "opencl", "--until", "0.02")
+        gone_on = self.run_on(3, case, "parts", "--device", "opencl", "--restart", "latest")
+        self.assertEqual(gone_on["state_hash"], alone["state_hash"])
+
+    def test_what_goes_wrong_stops_all_in_the_same_step(self):
+        case = without_planes(CROWD).replace("max_overlap = 0.9", "max_overlap = 0.02")
+        said = [self.scree(n, case, f"fails{n}", *words).stderr
+                for n, words in ((0, []), (2, ["--device", "opencl"]))]
+        self.assertIn("overlap", said[0])
+        self.assertEqual(*[re.search(r"t = .*overlap[^\n]*", text)[0] for text in said])
+
+
+if __name__ == "__main__":
+    unittest.main()
