@@ -4,12 +4,13 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "scree/compute/opencl/device.h"
 #include "scree/kernels/opencl/parameters.h"
-#include "scree/particles/fields.h"
+#include "scree/particles/device/fields.h"
 #include "scree/particles/reach.h"
 #include "scree/particles/system.h"
 
@@ -21,6 +22,7 @@ struct DeviceFindings {
   std::int64_t contacts = 0, wall_contacts = 0, impacts = 0, impact_speed = 0;  // summed over the steps
   std::int64_t steps = 0;                                                       // done
   std::int64_t undone = 0;  // steps given that were not done, because one before them went wrong
+  bool field_lost = false;  // the first of these was not done because what acts in it is no number somewhere
 };
 
 /// Where walls are in a step, and how far at most any part of them near particles goes in it [m].
@@ -45,8 +47,8 @@ class DeviceSpheres {
   DeviceSpheres(const opencl::Device& device, const ParticleSystem& system, const ContactLists& lists,
                 const Fields& fields, double max_overlap);
 
-  /// Gives a step to the device; it is done later.
-  void step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls);
+  /// Gives a step to the device that begins at the time `now` [s]; it is done later.
+  void step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls, double now);
 
   /// True if so many steps are waiting that settle() is due.
   bool is_full() const { return given_.size() >= most_given; }
@@ -65,6 +67,14 @@ class DeviceSpheres {
   /// that of before. The system's walls are where they are now.
   void put_back(const PartOfDevice& before, const ParticleSystem& after);
 
+  /// Brings the columns of these names back, of those that `to` has, into rows as they stand on the device now; or puts
+  /// them there. All steps must be settled.
+  void read_columns(std::span<const std::string_view> names, Particles& to) const;
+  void write_columns(std::span<const std::string_view> names, const Particles& from);
+
+  /// What acts at each particle in the step that was not done because of it, in the order of ids.
+  Buffer<sc_field> bring_back_fields() const;
+
   std::size_t particles() const { return n_; }
 
   /// Listed partners of a particle, on average.
@@ -74,7 +84,7 @@ class DeviceSpheres {
   std::size_t bytes() const;
 
  private:
-  static constexpr std::size_t most_given = 32;
+  static constexpr std::size_t most_given = SC_MOST_GIVEN;
   static constexpr std::size_t group = 128;  // items of a group
 
   struct Lists {
@@ -95,6 +105,7 @@ class DeviceSpheres {
     sc_move move;
     sc_contact_time time;
     WallsOfStep walls;
+    double now;
   };
 
   void check_kernels();
@@ -132,12 +143,15 @@ class DeviceSpheres {
   void fit_cells();
   void adapt_skin();
   void launch(const Given& given, int number);
+  void meet_fields(int number, int from);
+  const opencl::DeviceBuffer& column_or_none(std::string_view name) const;
   void add_findings(DeviceFindings& to);
   sc_counts counts() const;
   std::size_t groups() const;
 
   const opencl::Device& device_;
   opencl::Program program_;
+  DeviceFields fields_;
   sc_laws laws_of_run_;
   sc_pair_law first_law_;  // of the first material with itself
   bool rolls_;

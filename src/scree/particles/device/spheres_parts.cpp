@@ -50,6 +50,38 @@ const opencl::DeviceBuffer& DeviceSpheres::column(std::string_view name) const {
   return const_cast<DeviceSpheres*>(this)->column(name);
 }
 
+/// An empty buffer for what the particles do not have.
+const opencl::DeviceBuffer& DeviceSpheres::column_or_none(std::string_view name) const {
+  static const opencl::DeviceBuffer none;
+  return row_bytes_.contains(name) ? column(name) : none;
+}
+
+void DeviceSpheres::read_columns(std::span<const std::string_view> names, Particles& to) const {
+  to.resize(n_);
+  to.for_each_field([&](std::string_view name, auto& values, auto...) {
+    if (std::ranges::find(names, name) != names.end())
+      column(name).read(values.values.data(), n_ * row_bytes_.at(name));
+  });
+}
+
+void DeviceSpheres::write_columns(std::span<const std::string_view> names, const Particles& from) {
+  from.for_each_field([&](std::string_view name, const auto& values, auto...) {
+    if (std::ranges::find(names, name) != names.end())
+      column(name).write(values.values.data(), n_ * row_bytes_.at(name));
+  });
+}
+
+Buffer<sc_field> DeviceSpheres::bring_back_fields() const {
+  const auto id = columns_.at("id").values<std::int64_t>(n_);
+  const auto found = fields_.found().values<sc_field>(n_);
+  std::vector<std::uint32_t> order(n_);
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return id[a] < id[b]; });
+  Buffer<sc_field> out(n_);
+  for (std::size_t i = 0; i < n_; ++i) out[i] = found[order[i]];
+  return out;
+}
+
 /// Calls visit(particle, entry, slide, roll) for every contact that acts, slot by slot; no roll where none is
 /// remembered.
 template <class Visit>
