@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "support/device_cases.h"
+#include "support/hopper.h"
 
 namespace scree {
 namespace {
@@ -132,6 +133,15 @@ TEST(DeviceFields, GoesOnFromTheCpuAndBackInAFlow) {
   third.restore(carried);
   advance(third, 198);
   EXPECT_EQ(told_by(third), truth);
+}
+
+TEST(DeviceFields, HasTheBitsOfTheCpuInAFlowWhereParticlesComeAndGo) {
+  // More come than there was room for at first, of whom each is turned.
+  const Case c = case_of(hopper + flow("shear",
+                                       "shear_rate = 60\nshear_origin = 0\ndrag = \"stokes\"\nmagnus = true\n"
+                                       "viscous_torque = \"on\"\n"));
+  const Told truth = told_on_cpu(c, 900);
+  EXPECT_EQ(told_on_device(c, 900), truth);
 }
 
 TEST(DeviceFields, RefusesFormulasWithAFunctionThatDevicesDoNotHave) {

@@ -4,6 +4,7 @@
 
 #include "support/coupled_cloud.h"
 #include "support/device_cases.h"
+#include "support/hopper.h"
 
 namespace scree {
 namespace {
@@ -99,6 +100,19 @@ TEST(FluidOnDevice, SpheresHaveTheBitsOfTheCpuWithAllForces) {
       cloud_over_floor("drag = \"gidaspow_blend\"\nsaffman = true\nmagnus = true\nadded_mass = true\nviscous_stress = "
                        "true\nviscous_torque = \"on\"\npitching_torque = \"on\""),
       202);
+}
+
+TEST(FluidOnDevice, SpheresHaveTheBitsOfTheCpuWhereTheyComeAndGo) {
+  const Case c = case_of(test::hopper +
+                         "[fluid]\ntype = \"incompressible\"\ndensity = 1.2\nviscosity = 1.8e-5\ncells = [5, 5, 6]\n"
+                         "[coupling]\ndrag = \"gidaspow_blend\"\nsubcycles = 7\n");
+  Simulation cpu(c, 1), device(c, 1);
+  device.use_device(test::first_device());
+  test::advance(cpu, 700);
+  test::advance(device, 700);
+  EXPECT_GT(cpu.exchange().passage().inserted.count, 10);
+  EXPECT_GT(cpu.exchange().passage().removed.count, 0);
+  EXPECT_EQ(said_by(device), said_by(cpu));
 }
 
 TEST(FluidOnDevice, GoesOnFromTheCpuAndBack) {
