@@ -26,7 +26,7 @@ function(take file)
   set(text "${text}" PARENT_SCOPE)
 endfunction()
 
-foreach(kernels gathered faces spheres sort lists check)
+foreach(kernels gathered faces fields spheres sort lists check)
   take("scree/kernels/opencl/${kernels}.cl")
 endforeach()
 file(WRITE "${OUTPUT}" "#include \"scree/compute/opencl/text.h\"

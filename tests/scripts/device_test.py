@@ -52,6 +52,19 @@ point = [0, 0, 0]
 normal = [0, 0, 1]
 """
 
+# A flow by formulas that turns and lifts what is in it: a kernel of its own finds this.
+FLOW = """
+[flow]
+type = "expression"
+expression = ["200 * y - x * t", "30 * x", "x + y"]
+density = "300 kg/m3"
+viscosity = "1 mPa s"
+drag = "schiller_naumann"
+magnus = true
+added_mass = true
+viscous_torque = "on"
+"""
+
 
 class Devices(unittest.TestCase):
     def setUp(self):
@@ -64,20 +77,27 @@ class Devices(unittest.TestCase):
         return subprocess.run([PROGRAM, *arguments], cwd=self.work, env=os.environ | SIMULATOR | environment,
                               capture_output=True, text=True)
 
-    def run_on(self, device):
-        result = self.scree("run", "crowd.toml", "-o", device.replace(":", "_"), "--device", device, "--quiet")
+    def run_on(self, device, case):
+        result = self.scree("run", case, "-o", device.replace(":", "_"), "--device", device, "--quiet", "--force")
         self.assertEqual(result.returncode, 0, result.stderr)
         # Whatever the simulator has to say it says there.
         self.assertEqual(result.stderr + result.stdout, "")
         return json.loads((self.work / device.replace(":", "_") / "summary.json").read_text())
 
-    def test_kernels_neither_race_nor_leave_their_buffers(self):
-        alone, device = self.run_on("cpu"), self.run_on("opencl:0")
+    def expect_the_same(self, case):
+        alone, device = self.run_on("cpu", case), self.run_on("opencl:0", case)
         self.assertGreater(alone["contacts"], 20)
         for key in ("state_hash", "contacts", "wall_contacts", "ledger"):
             self.assertEqual(device[key], alone[key], key)
         self.assertIn("device", device["stages"])
         self.assertNotIn("device", alone["stages"])
+
+    def test_kernels_neither_race_nor_leave_their_buffers(self):
+        self.expect_the_same("crowd.toml")
+
+    def test_fields_neither_race_nor_leave_their_buffers(self):
+        (self.work / "flow.toml").write_text(CROWD + FLOW)
+        self.expect_the_same("flow.toml")
 
     def test_info_lists_devices_and_what_was_tried(self):
         self.assertIn("device opencl:0    Oclgrind", self.scree("info").stdout)

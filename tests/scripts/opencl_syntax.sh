@@ -35,13 +35,29 @@ for header in $(find "$source/scree/physics" "$source/scree/kernels" -name '*.h'
 done
 laws="-DSC_GROUP=128 -DSC_SEVERAL_RANKS=1 -DSC_CHOSEN_NORMAL=2 -DSC_CHOSEN_TANGENTIAL=6 -DSC_CHOSEN_ROLLING=1 -DSC_CHOSEN_TWISTING=1
       -DSC_CHOSEN_COHESION=2"
+formulas=""
+for component in X Y Z; do
+  formulas="$formulas -DSC_FORMULA_ACCELERATION_$component=sc_formula_sin(x+y)*z*t"
+  formulas="$formulas -DSC_FORMULA_VELOCITY_$component=sc_formula_power(x,y)*z*t"
+done
+# All that a prescribed flow does, by formulas, found by a kernel of its own; and a fluid that is solved for.
+everything="-DSC_CHOSEN_FIELDS=2 -DSC_CHOSEN_BODY_FORCE=3 -DSC_CHOSEN_FLOW=4 -DSC_CHOSEN_DRAG=100 -DSC_CHOSEN_BUOYANCY=1
+            -DSC_CHOSEN_WATCHED=1 -DSC_CHOSEN_COUPLED=0 -DSC_CHOSEN_PUSHES=1 -DSC_CHOSEN_TURNS=1 -DSC_CHOSEN_FORCE_DRAG=0
+            -DSC_CHOSEN_BODY_DRAG=13 -DSC_CHOSEN_LIFT=1 -DSC_CHOSEN_PITCHING=1 -DSC_CHOSEN_VISCOUS_TURN=1
+            -DSC_CHOSEN_SAFFMAN=1 -DSC_CHOSEN_MAGNUS=1 -DSC_CHOSEN_CARRIED=1 -DSC_CHOSEN_ADDED_MASS=1"
+solved="-DSC_CHOSEN_FIELDS=1 -DSC_CHOSEN_BODY_FORCE=1 -DSC_CHOSEN_FLOW=0 -DSC_CHOSEN_DRAG=100 -DSC_CHOSEN_BUOYANCY=0
+        -DSC_CHOSEN_WATCHED=0 -DSC_CHOSEN_COUPLED=1 -DSC_CHOSEN_PUSHES=0 -DSC_CHOSEN_TURNS=0 -DSC_CHOSEN_FORCE_DRAG=5
+        -DSC_CHOSEN_BODY_DRAG=0 -DSC_CHOSEN_LIFT=0 -DSC_CHOSEN_PITCHING=0 -DSC_CHOSEN_VISCOUS_TURN=0
+        -DSC_CHOSEN_SAFFMAN=0 -DSC_CHOSEN_MAGNUS=0 -DSC_CHOSEN_CARRIED=0 -DSC_CHOSEN_ADDED_MASS=0"
 kernels=$(mktemp --suffix=.cl)
 trap 'rm -f "$kernels"' EXIT
-for text in gathered faces spheres sort lists check; do
+for text in gathered faces fields spheres sort lists check; do
   echo "#include \"scree/kernels/opencl/$text.cl\"" >> "$kernels"
 done
 for target in spir64 nvptx64; do
-  check "kernels for $target" "$clang" $opencl -target $target $laws -I"$source" "$kernels"
+  for fields in "$everything" "$solved"; do
+    check "kernels for $target" "$clang" $opencl -target $target $laws $fields $formulas -I"$source" "$kernels"
+  done
 done
 echo "$count headers"
 [ "$count" -gt 0 ] && [ "$failed" -eq 0 ]

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/engine_cases.h"
 #include "scree/app/device_run.h"
 #include "scree/base/error.h"
 #include "support/foreign_leaks.h"
+#include "unit/engine_cases.h"
 
 namespace scree::test {
 

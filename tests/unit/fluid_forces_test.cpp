@@ -60,7 +60,7 @@ TEST(Turning, OfSpheres) {
   EXPECT_NEAR(sc_rotation_factor(32.001), 1.0016, 2e-4);
   EXPECT_NEAR(sc_rotation_factor(1000) * 64 * M_PI / 1000, 12.9 / std::sqrt(1000.) + .1284, 1e-12);
   const sc_flow_shape sphere = make_flow_shape({1, 1, 1}, 1, 1).shape;
-  const sc_turning t =
+  const sc_turning_in_fluid t =
       sc_turning_of(sphere, {d, rho, mu}, sc_make_vec(1, 2, 3), sc_make_vec(7, 8, 9), sc_make_vec(0, 0, 1));
   EXPECT_NEAR(t.resistance.x, 8 * M_PI * mu * std::pow(d / 2, 3), 1e-28);
   EXPECT_NEAR(t.spin.z, 3, 1e-12);
@@ -107,7 +107,7 @@ TEST(Turning, JefferysOrbit) {
       axes.y = sc_make_vec(0, -std::sin(angle), std::cos(angle));
       axes.z = sc_make_vec(1, 0, 0);
       const sc_vec half = sc_turn_back(axes, sc_scale(.5, sc_curl_of(g)));
-      const sc_turning t = sc_turning_of(s, {d, rho, mu}, half, sc_strain_across(g, axes), sc_zero_vec());
+      const sc_turning_in_fluid t = sc_turning_of(s, {d, rho, mu}, half, sc_strain_across(g, axes), sc_zero_vec());
       return -t.spin.x;  // about x of the body = z of the world
     };
     double angle = 0;

@@ -90,7 +90,7 @@ class DeviceSteps {
 
   void run(int steps) {
     for (int k = 0; k < steps; ++k) {
-      spheres_.step(move_, time_, walls_);
+      spheres_.step(move_, time_, walls_, 0);
       if (spheres_.is_full()) contacts_ += spheres_.settle().contacts;
     }
     contacts_ += spheres_.settle().contacts;

@@ -5,7 +5,7 @@
 namespace scree {
 namespace {
 
-void choose(const std::string& word, bool& force) {
+void choose(const std::string& word, int& force) {
   if (word != "auto") force = word == "on";
 }
 

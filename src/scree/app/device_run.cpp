@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <charconv>
 
-#include "scree/app/build_forces.h"
 #include "scree/base/error.h"
 #include "scree/input/located.h"
+#include "scree/particles/device/formula.h"
 
 namespace scree {
 namespace {
@@ -30,6 +30,24 @@ void refuse_particles(const Case& c) {
     const auto key = [&](const char* name) { return fmt::format("particles.{}.{}", k, name); };
     if (group.shape != "sphere") refuse(c, key("shape"), "particles that are no spheres are");
     if (group.motion == "prescribed") refuse(c, key("motion"), "bodies with a prescribed motion are");
+  }
+}
+
+void refuse_on_several(const Case& c) {
+  if (couples(c))
+    throw error_at(c, "fluid.type",
+                   {"E193",
+                    {},
+                    "flows that are solved for are not there yet on the devices of several processes",
+                    "",
+                    "run the case in one process, or without --device"});
+}
+
+/// Refuses a formula with a function that kernels do not have.
+void refuse_formulas(const Case& c, const std::string& key, const Expression3& formulas) {
+  for (const std::string& formula : formulas) {
+    const FormulaText text = formula_for_device(formula, {"x", "y", "z", "t"});
+    if (!text.lacking.empty()) refuse(c, key, fmt::format("'{}' in the formula '{}' is", text.lacking, formula));
   }
 }
 
@@ -59,20 +77,14 @@ opencl::DeviceInfo find_device(const std::string& name, int place) {
   return all[number];
 }
 
-void refuse_on_device(const Case& c) {
+void refuse_on_device(const Case& c, bool several) {
   refuse_particles(c);
   if (is_hard(c)) refuse(c, "contact.collision", "hard collisions are");
-  if (c.gravity.type != "none" && c.gravity.type != "uniform")
-    refuse(c, "gravity.type", "body forces other than uniform gravity are");
-  if (c.flow.type == "expression") refuse(c, "flow.type", "flows by formula are");
-  if (solves_flow(c)) refuse(c, "fluid.type", "flows that are solved for are");
+  if (c.gravity.type == "expression") refuse_formulas(c, "gravity.expression", c.gravity.expression);
+  if (c.flow.type == "expression") refuse_formulas(c, "flow.expression", c.flow.expression);
+  if (solves_flow(c) && !couples(c)) refuse(c, "fluid.type", "flows that are solved for are");
+  if (several) refuse_on_several(c);
   if (warms(c)) refuse(c, "heat.type", "temperatures of particles are");
-  if (c.flow.buoyancy) refuse(c, "flow.buoyancy", "buoyancy is");
-  if (c.flow.drag != "none" && c.flow.drag != "stokes" && c.flow.drag != "schiller_naumann")
-    refuse(c, "flow.drag", "drag by shape is");
-  const FluidForces forces = build_forces(c.flow.drag, c.flow);
-  if (forces.push() || forces.turn() || c.flow.pressure_force)
-    refuse(c, "flow.type", "forces of a flow besides the drag of spheres are");
   if (!c.analysis.planes.empty()) refuse(c, "analysis.planes.0.point", "counting planes are");
 }
 

@@ -193,20 +193,17 @@ void guard_stride(const ParticleSystem& s, double stride, double dt, double time
       time, stride, place_of(p, worst)));
 }
 
-bool may_fail(const Fields& f) { return f.acceleration || f.velocity || f.body == BodyForce::central; }
-
 void guard_fields(const Particles& particles, const Buffer<sc_field>& field, double time) {
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const sc_vec &a = field[i].acceleration, &u = field[i].fluid;
-    const bool acts = std::isfinite(a.x + a.y + a.z), flows = std::isfinite(u.x + u.y + u.z);
-    if (acts && flows) continue;
-    const sc_vec& bad = acts ? u : a;
-    throw PhysicsError(
-        fmt::format("t = {:.9g} s: the {} is no finite number, ({}, {}, {}), at {}. Mend the formulas, or keep "
-                    "particles away from there",
-                    time, acts ? "velocity of the flow (flow)" : "body force (gravity)", bad.x, bad.y, bad.z,
-                    place_of(particles, i)));
-  }
+  const auto i = lowest(particles, [&](std::size_t k) { return !sc_is_finite_field(field[k]); });
+  if (!i) return;
+  const sc_vec &a = field[*i].acceleration, &u = field[*i].fluid;
+  const bool acts = std::isfinite(a.x + a.y + a.z);
+  const sc_vec& bad = acts ? u : a;
+  throw PhysicsError(
+      fmt::format("t = {:.9g} s: the {} is no finite number, ({}, {}, {}), at {}. Mend the formulas, or keep "
+                  "particles away from there",
+                  time, acts ? "velocity of the flow (flow)" : "body force (gravity)", bad.x, bad.y, bad.z,
+                  place_of(particles, *i)));
 }
 
 bool is_sound(const SweepFindings& findings, double max_overlap) {

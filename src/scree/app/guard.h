@@ -25,11 +25,8 @@ void guard_step(const ParticleSystem& system, const SweepFindings& findings, dou
 /// passed another body or a wall unseen.
 void guard_stride(const ParticleSystem& system, double stride, double dt, double time);
 
-/// Whether flow or body force may be no number somewhere.
-bool may_fail(const Fields& fields);
-
-/// Throws PhysicsError naming the key when what acts at some particle, flow or body force, is no finite number; `time`
-/// is that of the fields [s].
+/// Throws PhysicsError naming the key when what acts at some particle, flow or body force, is no finite number; of
+/// several it names the particle of lowest id. `time` is that of the fields [s].
 void guard_fields(const Particles& particles, const Buffer<sc_field>& field, double time);
 
 }  // namespace scree

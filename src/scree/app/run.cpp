@@ -155,7 +155,7 @@ void run_to_stop(RunLoop& run, const RunOptions& options, const InterruptGuard& 
 /// The device of the run; none on the CPU.
 std::optional<opencl::DeviceInfo> device_of(const Case& c, const RunOptions& options) {
   if (options.device == "cpu") return {};
-  refuse_on_device(c);
+  refuse_on_device(c, !options.ranks.alone());
   return find_device(options.device, options.processors.place);
 }
 

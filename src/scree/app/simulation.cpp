@@ -84,7 +84,7 @@ void Simulation::advance() {
   exchange_particles();
   refresh_neighbours();
   conduct_heat();
-  step_fluid();
+  step_fluid(system_.particles);
   if (!prescribed_.empty()) together([&] { look_ahead(prescribed_, system_.particles, clock_.now(), clock_.dt); });
   system_.hard ? collide_particles() : advance_particles();
   move_prescribed_bodies();
@@ -147,11 +147,11 @@ void Simulation::conduct_heat() {
 }
 
 /// The fluid goes ahead by as many steps as the particles then follow with what it has said.
-void Simulation::step_fluid() {
-  if (!coupling_ || clock_.step % coupling_->settings.subcycles != 0) return;
+void Simulation::step_fluid(Particles& particles) {
+  if (!fluid_is_due()) return;
   const Stopwatch watch(stages_, "fluid");
   const double before = coupling_->books.heat_to_particles;
-  together([&] { advance_fluid(*coupling_, system_.particles); });
+  together([&] { advance_fluid(*coupling_, particles); });
   heat_books_.from_fluid += coupling_->books.heat_to_particles - before;
   count(fluid_tally_, coupling_->report);
 }

@@ -222,7 +222,10 @@ class Simulation {
   void look_at_planes();
   void refresh_neighbours();
   void conduct_heat();
-  void step_fluid();
+  void step_fluid(Particles& particles);
+  void step_fluid_on_device();
+  Fields fields_on_device() const;
+  bool fluid_is_due() const { return coupling_ && clock_.step % coupling_->settings.subcycles == 0; }
   void evaluate_own_fields(double time);
   void evaluate_fields(const ParticleSystem& system, double time, Buffer<sc_field>& field);
   void advance_particles();

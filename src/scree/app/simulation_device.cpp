@@ -3,6 +3,7 @@
 #include "scree/app/guard.h"
 #include "scree/app/simulation.h"
 #include "scree/base/error.h"
+#include "scree/coupling/columns.h"
 
 namespace scree {
 
@@ -19,13 +20,13 @@ bool Simulation::is_on_device() const { return device_ && device_->spheres; }
 void Simulation::advance_on_device() {
   auto& spheres = device_->spheres;
   move_walls_on_device();
-  if (spheres) {
+  if (spheres)
     exchange_on_device();
-  } else {
+  else
     exchange_particles();
-    send_to_device();
-  }
-  spheres->step(move_now(), contact_time_now(), {system_.walls.poses, way_of_walls()});
+  step_fluid_on_device();
+  if (!spheres) send_to_device();
+  spheres->step(move_now(), contact_time_now(), {system_.walls.poses, way_of_walls()}, clock_.now());
   clock_.advance();
   if (spheres->is_full()) settle_device();
 }
@@ -35,7 +36,7 @@ void Simulation::send_to_device() {
     refresh_neighbours();
     update_ghosts(system_, lists_);
   }
-  device_->spheres.emplace(device_->device, system_, lists_, fields_, case_.simulation.max_overlap);
+  device_->spheres.emplace(device_->device, system_, lists_, fields_on_device(), case_.simulation.max_overlap);
 }
 
 /// Those who may come or go, with their neighbours, are dealt with by the host.
@@ -59,6 +60,29 @@ void Simulation::exchange_on_device() {
   retrieved_step_ = sampled_step_ = -1;
 }
 
+/// The fluid is the host's. It takes what it wants to know of the particles, and they get what it has said to them.
+void Simulation::step_fluid_on_device() {
+  if (!is_on_device()) return step_fluid(system_.particles);
+  if (!fluid_is_due()) return;
+  settle_device();
+  DeviceSpheres& spheres = *device_->spheres;
+  Particles met = system_.particles.none_alike();
+  spheres.read_columns(read_by_fluid, met);
+  step_fluid(met);
+  spheres.write_columns(written_by_fluid, met);
+}
+
+/// What acts on particles on the device. A fluid that is solved for has said to each what it will meet, but for what
+/// turns it, which follows from the flow there and its own rotation.
+Fields Simulation::fields_on_device() const {
+  Fields out = fields_;
+  if (!coupling_) return out;
+  out.forces = coupling_->settings.forces;
+  out.density = coupling_->fluid.settings.density;
+  out.viscosity = coupling_->fluid.settings.viscosity;
+  return out;
+}
+
 /// Puts the walls where they are in the step that is given next. If their motion fails, the steps before come first.
 void Simulation::move_walls_on_device() {
   try {
@@ -74,14 +98,19 @@ void Simulation::settle_device() {
   const Stopwatch watch(stages_, "device");
   const DeviceFindings found = device_->spheres->settle();
   clock_.step -= found.undone;
-  if (found.steps == 0) return;
-  findings_ = found.last;
-  own_findings_ = found.own;
-  tally_.contacts += found.contacts;
-  tally_.wall_contacts += found.wall_contacts;
-  tally_.impacts += found.impacts;
-  tally_.impact_speed += found.impact_speed;
-  if (is_sound(findings_, case_.simulation.max_overlap)) return;
+  if (found.steps > 0) {
+    findings_ = found.last;
+    own_findings_ = found.own;
+    tally_.contacts += found.contacts;
+    tally_.wall_contacts += found.wall_contacts;
+    tally_.impacts += found.impacts;
+    tally_.impact_speed += found.impact_speed;
+  }
+  if (found.field_lost) {
+    retrieve();
+    together([&] { guard_fields(system_.particles, device_->spheres->bring_back_fields(), clock_.now()); });
+  }
+  if (found.steps == 0 || is_sound(findings_, case_.simulation.max_overlap)) return;
   retrieve();
   move_walls(static_cast<double>(clock_.step - 1) * clock_.dt);  // from steps given ahead to where they were
   guard();
@@ -92,7 +121,6 @@ void Simulation::retrieve() {
   if (!is_on_device()) return;
   settle_device();
   if (retrieved_step_ == clock_.step) return;
-  move_walls(clock_.now());
   const Stopwatch watch(stages_, "gathering");
   device_->spheres->bring_back(system_);
   forget_lists(system_, lists_);

@@ -3,12 +3,6 @@
 #include <algorithm>
 
 #include "scree/compute/team.h"
-#include "scree/particles/sizes.h"
-#include "scree/physics/body/central.h"
-#include "scree/physics/body/rotating_frame.h"
-#include "scree/physics/drag/unsteady.h"
-#include "scree/physics/flow/shear.h"
-#include "scree/physics/flow/taylor_green.h"
 
 namespace scree {
 namespace {
@@ -18,103 +12,95 @@ sc_vec value_of(VectorExpression& e, sc_vec x, double time) {
   return sc_make_vec(e[0](at), e[1](at), e[2](at));
 }
 
-sc_vec acceleration_at(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, double time) {
-  switch (f.body) {
-    case BodyForce::central:
-      return sc_central_acceleration(x, f.center, f.strength);
-    case BodyForce::rotating:
-      return sc_add(sc_centrifugal(x, f.center, frame_rotation(f, time)),
-                    sc_euler(x, f.center, f.angular_acceleration));
-    case BodyForce::expression:
-      return value_of(*formula, x, time);
-    default:
-      return sc_zero_vec();
+sc_vec acceleration_at(const Fields& f, const sc_body_force& force, std::optional<VectorExpression>& formula, sc_vec x,
+                       double time) {
+  return f.body == BodyForce::expression ? value_of(*formula, x, time)
+                                         : sc_body_force_at(body_force_number(f), force, x);
+}
+
+/// A prescribed flow, and how it is asked for its velocity.
+struct Stream {
+  const Fields& fields;
+  std::optional<VectorExpression>& formula;
+  int kind = flow_number(fields);
+  sc_flow flow = flow_of(fields);
+
+  sc_vec at(sc_vec x, double time) const {
+    return kind == SC_FLOW_FORMULA ? value_of(*formula, x, time) : sc_flow_at(kind, flow, x);
   }
-}
-
-sc_vec stream_at(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, double time) {
-  switch (f.flow) {
-    case FlowKind::uniform:
-      return f.stream;
-    case FlowKind::taylor_green:
-      return sc_taylor_green(x, f.amplitude, f.wavenumber);
-    case FlowKind::shear:
-      return sc_shear_flow(x, f.shear_rate, f.shear_origin);
-    case FlowKind::expression:
-      return value_of(*formula, x, time);
-    default:
-      return sc_zero_vec();
-  }
-}
-
-/// Mass of the displaced fluid over the mass of the particle (Archimedes); 0 for infinite mass.
-double displaced_share(const Fields& f, const Particles& particles, std::int64_t p) {
-  const double volume = sphere_volume(2 * particles.radius_by_volume(static_cast<std::size_t>(p)));
-  return f.density * volume * particles.motion.row(static_cast<std::size_t>(p))[lane::inverse_mass];
-}
-
-/// Derivative of a flow by formula along a step, by central differences.
-sc_vec slope(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, sc_vec step, double time) {
-  const double half = 0.5 / sc_norm(step);
-  return sc_scale(half,
-                  sc_sub(stream_at(f, formula, sc_add(x, step), time), stream_at(f, formula, sc_sub(x, step), time)));
-}
-
-/// Its derivative with time, over `interval` about `time`.
-sc_vec trend(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, double time) {
-  if (f.flow != FlowKind::expression || f.interval == 0) return sc_zero_vec();
-  // No formula is asked for what was before the start.
-  const double from = std::max(0.0, time - 0.5 * f.interval), to = time + 0.5 * f.interval;
-  return sc_scale(1 / (to - from), sc_sub(stream_at(f, formula, x, to), stream_at(f, formula, x, from)));
-}
+};
 
 /// The prescribed flow at x; the gradient of one that has none in closed form over a thousandth of `radius`.
-FluidThere flow_there(const Fields& f, std::optional<VectorExpression>& formula, sc_vec x, double radius, double time) {
+sc_fluid_there flow_there(const Stream& s, sc_vec x, double radius, double time) {
+  const Fields& f = s.fields;
   FluidThere out;
   out.density = f.density;
   out.viscosity = f.viscosity;
-  out.velocity = stream_at(f, formula, x, time);
-  out.gradient.x = out.gradient.y = out.gradient.z = sc_zero_vec();
-  if (f.flow == FlowKind::shear) out.gradient.x.y = f.shear_rate;
-  if (f.flow == FlowKind::taylor_green || f.flow == FlowKind::expression) {
-    const double h = 1e-3 * radius;
-    const sc_vec a = slope(f, formula, x, sc_make_vec(h, 0, 0), time);
-    const sc_vec b = slope(f, formula, x, sc_make_vec(0, h, 0), time);
-    const sc_vec c = slope(f, formula, x, sc_make_vec(0, 0, h), time);
-    out.gradient.x = sc_make_vec(a.x, b.x, c.x);
-    out.gradient.y = sc_make_vec(a.y, b.y, c.y);
-    out.gradient.z = sc_make_vec(a.z, b.z, c.z);
+  out.velocity = s.at(x, time);
+  sc_flow_around around{};
+  const double h = sc_flow_step(radius);
+  for (int axis = 0; axis < 3 && sc_has_no_gradient(s.kind); ++axis) {
+    around.above[axis] = s.at(sc_beside(x, axis, h), time);
+    around.below[axis] = s.at(sc_beside(x, axis, -h), time);
   }
-  if (f.forces.carried || f.forces.added_mass)
-    out.acceleration = sc_material_derivative(trend(f, formula, x, time), out.velocity, out.gradient);
+  out.gradient = sc_flow_gradient(s.kind, s.flow, around, h);
+  if (!f.forces.carried && !f.forces.added_mass) return out;
+  sc_vec trend = sc_zero_vec();
+  if (s.kind == SC_FLOW_FORMULA && f.interval != 0) {
+    const sc_instants when = sc_instants_about(time, f.interval);
+    around.after = s.at(x, when.to);
+    around.before = s.at(x, when.from);
+    trend = sc_flow_trend(around, when);
+  }
+  out.acceleration = sc_material_derivative(trend, out.velocity, out.gradient);
   return out;
 }
 
-/// What a prescribed flow does to a free particle beyond the drag of spheres.
-void add_flow_forces(const Fields& f, std::optional<VectorExpression>& formula, const Particles& particles,
-                     std::size_t p, double time, sc_field& field) {
-  const double* m = particles.motion.row(p);
-  const FluidThere there = flow_there(f, formula, sc_make_vec(m[0], m[1], m[2]), m[lane::radius], time);
-  const FluidPush push = push_of_fluid(f.forces, particles, p, there);
-  const double carried = f.forces.carried ? displaced_share(f, particles, static_cast<std::int64_t>(p)) : 0;
-  field.drag_rate = push.drag * m[lane::inverse_mass];
-  field.added_mass = added_mass_of(f.forces, particles, p, there) * m[lane::inverse_mass];
-  field.acceleration = sc_add_scaled(field.acceleration, m[lane::inverse_mass], push.force);
-  field.acceleration = sc_add_scaled(field.acceleration, carried + field.added_mass, there.acceleration);
-}
-
-/// What a fluid that is solved for has said to a free particle at its last step.
-void add_coupling(const Particles& particles, std::size_t p, sc_field& field) {
+sc_field add_coupling(const Particles& particles, std::size_t p, const sc_field& field) {
   const double *stream = particles.stream.row(p), *pull = particles.pull.row(p);
-  field.fluid = sc_make_vec(stream[0], stream[1], stream[2]);
-  field.drag_rate = stream[3];
-  field.added_mass = particles.before.row(p)[3];
-  field.acceleration = sc_add(field.acceleration, sc_make_vec(pull[0], pull[1], pull[2]));
+  return sc_add_coupling(field, sc_make_vec(stream[0], stream[1], stream[2]), stream[3], particles.before.row(p)[3],
+                         sc_make_vec(pull[0], pull[1], pull[2]));
 }
 
 constexpr std::int64_t block = 128;  // particles whose rows stay in the first cache
 
 }  // namespace
+
+int body_force_number(const Fields& f) {
+  switch (f.body) {
+    case BodyForce::central:
+      return SC_BODY_FORCE_CENTRAL;
+    case BodyForce::rotating:
+      return SC_BODY_FORCE_ROTATING;
+    case BodyForce::expression:
+      return SC_BODY_FORCE_FORMULA;
+    default:
+      return SC_BODY_FORCE_NONE;
+  }
+}
+
+int flow_number(const Fields& f) {
+  switch (f.flow) {
+    case FlowKind::uniform:
+      return SC_FLOW_UNIFORM;
+    case FlowKind::taylor_green:
+      return SC_FLOW_TAYLOR_GREEN;
+    case FlowKind::shear:
+      return SC_FLOW_SHEAR;
+    case FlowKind::expression:
+      return SC_FLOW_FORMULA;
+    default:
+      return SC_FLOW_NONE;
+  }
+}
+
+sc_body_force body_force_of(const Fields& f, double time) {
+  return {f.center, f.strength, frame_rotation(f, time), f.angular_acceleration};
+}
+
+sc_flow flow_of(const Fields& f) { return {f.stream, f.amplitude, f.wavenumber, f.shear_rate, f.shear_origin}; }
+
+bool may_fail(const Fields& f) { return f.acceleration || f.velocity || f.body == BodyForce::central; }
 
 bool act_locally(const Fields& f) {
   return f.body == BodyForce::central || f.body == BodyForce::expression || f.body == BodyForce::rotating ||
@@ -127,7 +113,7 @@ sc_vec frame_rotation(const Fields& f, double time) {
 }
 
 std::array<double, 3> flow_velocity(Fields& f, const double* p, double time) {
-  const sc_vec u = stream_at(f, f.velocity, sc_make_vec(p[0], p[1], p[2]), time);
+  const sc_vec u = Stream{f, f.velocity}.at(sc_make_vec(p[0], p[1], p[2]), time);
   return {u.x, u.y, u.z};
 }
 
@@ -141,21 +127,30 @@ void evaluate(const Fields& fields, const Particles& particles, double time, con
     // A formula keeps its variables inside: every thread has its own.
     auto acceleration = fields.acceleration, velocity = fields.velocity;
     const Fields& f = fields;
+    const Stream stream{f, velocity};
+    const sc_body_force force = body_force_of(f, time);
     const bool vortices = f.flow == FlowKind::taylor_green, coupled = particles.coupled();
     const bool pushes = f.forces.push();
 #pragma omp for schedule(static)
     for (std::int64_t begin = 0; begin < n; begin += block) {
       const std::int64_t end = std::min(n, begin + block);
-      for (std::int64_t p = begin; p < end; ++p) {
-        const sc_vec x = sc_make_vec(motion[8 * p], motion[8 * p + 1], motion[8 * p + 2]);
-        const bool free_body = motion[8 * p + lane::inverse_mass] > 0;
-        out[p].acceleration = free_body ? acceleration_at(f, acceleration, x, time) : sc_zero_vec();
-        if (f.buoyancy && free_body)
-          out[p].acceleration = sc_sub(out[p].acceleration, sc_scale(displaced_share(f, particles, p), f.uniform));
-        out[p].drag_rate = out[p].added_mass = 0;
-        if (!vortices) out[p].fluid = stream_at(f, velocity, x, time);
-        if (coupled && free_body) add_coupling(particles, static_cast<std::size_t>(p), out[p]);
-        if (pushes && free_body) add_flow_forces(f, velocity, particles, static_cast<std::size_t>(p), time, out[p]);
+      for (std::int64_t i = begin; i < end; ++i) {
+        const std::size_t p = static_cast<std::size_t>(i);
+        const double inverse_mass = motion[8 * i + lane::inverse_mass];
+        const sc_vec x = sc_make_vec(motion[8 * i], motion[8 * i + 1], motion[8 * i + 2]);
+        const bool free_body = inverse_mass > 0;
+        sc_field& field = out[p];
+        field.acceleration = free_body ? acceleration_at(f, force, acceleration, x, time) : sc_zero_vec();
+        if (f.buoyancy && free_body) {
+          const double share = sc_displaced_share(f.density, particles.radius_by_volume(p), inverse_mass);
+          field.acceleration = sc_sub(field.acceleration, sc_scale(share, f.uniform));
+        }
+        field.drag_rate = field.added_mass = 0;
+        if (!vortices) field.fluid = stream.at(x, time);
+        if (coupled && free_body) field = add_coupling(particles, p, field);
+        if (pushes && free_body)
+          field = sc_add_flow_forces(field, f.forces, immersed(f.forces, particles, p), inverse_mass,
+                                     flow_there(stream, x, motion[8 * i + lane::radius], time));
       }
       if (vortices) kernels.taylor_green(motion, f.amplitude, f.wavenumber, begin, end, out.data());
     }
@@ -168,11 +163,12 @@ bool turn_by_flow(const Fields& f, Particles& particles, double time, double dt)
 #pragma omp parallel if (n >= 2 * least_share)
   {
     auto velocity = f.velocity;
+    const Stream stream{f, velocity};
 #pragma omp for schedule(static)
     for (std::int64_t i = 0; i < n; ++i) {
       const std::size_t p = static_cast<std::size_t>(i);
       const double* m = particles.motion.row(p);
-      const FluidThere there = flow_there(f, velocity, sc_make_vec(m[0], m[1], m[2]), m[lane::radius], time);
+      const sc_fluid_there there = flow_there(stream, sc_make_vec(m[0], m[1], m[2]), m[lane::radius], time);
       turn_by_fluid(f.forces, particles, p, there, dt);
     }
   }

@@ -9,7 +9,7 @@
 #include "scree/base/expression.h"
 #include "scree/compute/buffer.h"
 #include "scree/data/particles.h"
-#include "scree/kernels/move_sphere.h"
+#include "scree/kernels/fields.h"
 #include "scree/particles/fluid_forces.h"
 #include "scree/particles/sweep_view.h"
 
@@ -49,6 +49,15 @@ struct Fields {
 
 /// True if some particle needs more than uniform gravity.
 bool act_locally(const Fields& fields);
+
+/// True if a field may be no finite number somewhere.
+bool may_fail(const Fields& fields);
+
+/// The kinds and their numbers as the text that is common to all devices wants them (kernels/fields.h).
+int body_force_number(const Fields& fields);
+int flow_number(const Fields& fields);
+sc_body_force body_force_of(const Fields& fields, double time);
+sc_flow flow_of(const Fields& fields);
 
 /// Angular velocity of the frame at time t [rad/s].
 sc_vec frame_rotation(const Fields& fields, double time);

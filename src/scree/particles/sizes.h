@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "scree/physics/sphere.h"
+
 namespace scree {
 
 /// A distribution of diameters; every one has a smallest and a largest diameter. Normal and log-normal ones are cut off
@@ -19,10 +21,7 @@ struct SizeDistribution {
 };
 
 /// Volume of a sphere [m3].
-inline double sphere_volume(double diameter) {
-  constexpr double pi_6 = 0.5235987755982989;
-  return pi_6 * diameter * diameter * diameter;
-}
+inline double sphere_volume(double diameter) { return sc_sphere_volume(diameter); }
 
 /// The smallest diameter that can be drawn [m].
 double min_diameter(const SizeDistribution& sizes);

@@ -12,6 +12,8 @@ __kernel void sc_sizes(__global int* out) {
   out[5] = (int)sizeof(sc_touch);
   out[6] = (int)sizeof(sc_contact_state);
   out[7] = (int)sizeof(sc_contact_result);
+  out[8] = (int)sizeof(sc_field);
+  out[9] = (int)sizeof(sc_flow_shape);
 }
 
 /// The chosen law for given contacts.

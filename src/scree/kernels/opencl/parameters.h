@@ -2,6 +2,7 @@
 #ifndef SCREE_KERNELS_OPENCL_PARAMETERS_H
 #define SCREE_KERNELS_OPENCL_PARAMETERS_H
 
+#include "scree/kernels/fields.h"
 #include "scree/kernels/move_sphere.h"
 #include "scree/kernels/region.h"
 #include "scree/physics/contact/contact.h"
@@ -16,21 +17,23 @@ typedef long long sc_count;
 #define SC_PARTNER 0x3fffffffu
 #define SC_CODE_SHIFT 30
 
+/// Steps that may be given to a device before the host looks.
+#define SC_MOST_GIVEN 32
+
 /// Numbers that one item adds up in a scan; a group of SC_GROUP items does a block of them.
 #define SC_SCAN_OWN 16
 
-/// The flow in which particles are.
-enum { SC_FLOW_NONE = 0, SC_FLOW_UNIFORM = 1, SC_FLOW_TAYLOR_GREEN = 2, SC_FLOW_SHEAR = 3 };
+/// Where what acts besides contacts is found: nowhere, in the step itself, or by a kernel of its own before the step.
+enum { SC_FIELDS_NONE = 0, SC_FIELDS_HERE = 1, SC_FIELDS_APART = 2 };
 
+/// What is around the particles.
 typedef struct {
-  int kind;           // SC_FLOW_...
-  int unused;         // keeps what follows aligned
-  sc_vec stream;      // [m/s]
-  real amplitude;     // [m/s]
-  real wavenumber;    // [1/m]
-  real shear_rate;    // [1/s]
-  real shear_origin;  // [m]
-} sc_flow;
+  sc_body_force force;      // its rotation is that of the move
+  sc_flow flow;             // prescribed
+  real density, viscosity;  // of the fluid [kg/m3], [Pa s]
+  real interval;            // over which the change of a flow with time is taken [s]
+  real now;                 // time of the positions [s]
+} sc_surroundings;
 
 /// The box.
 typedef struct {
@@ -59,13 +62,13 @@ typedef struct {
   sc_box box;
   sc_move move;
   sc_contact_time time;
-  sc_flow flow;
+  sc_surroundings around;
   sc_counts counts;
   real margin;        // how far apart bodies may be and still act on each other [m]
   real stale_square;  // lists hold while nobody has gone further than the root of this [m2]
   real max_overlap;   // over the smaller radius; a deeper one halts
-  int fields;         // forces of fields act
   int book_gravity;   // book the angular impulse of uniform gravity
+  int unused;         // keeps what follows aligned
 } sc_device_step;
 
 /// What one group of work items has found: of the last step, and of all since the host has asked.

@@ -6,8 +6,6 @@
 // no longer hold, the steps that were given ahead do nothing; the host makes lists and gives them again.
 #include "scree/kernels/books.h"
 #include "scree/kernels/wrap.h"
-#include "scree/physics/flow/shear.h"
-#include "scree/physics/flow/taylor_green.h"
 
 SC_FN real sc_nearest_image(real d, real period, real middle) {
   if (d > middle) d -= period;
@@ -52,13 +50,6 @@ SC_FN sc_sphere_load sc_load_of(sc_gathered g) {
   l.turn = g.turn;
   l.couple = g.couple;
   return l;
-}
-
-SC_FN sc_vec sc_flow_at(sc_flow f, sc_vec x) {
-  if (f.kind == SC_FLOW_UNIFORM) return f.stream;
-  if (f.kind == SC_FLOW_TAYLOR_GREEN) return sc_taylor_green(x, f.amplitude, f.wavenumber);
-  if (f.kind == SC_FLOW_SHEAR) return sc_shear_flow(x, f.shear_rate, f.shear_origin);
-  return sc_zero_vec();
 }
 
 /// The contacts of particle i with others.
@@ -125,7 +116,7 @@ SC_FN void sc_store(sc_device_step p, size_t i, sc_row own, sc_sphere_motion q, 
 /// Adds to the books of particle i what is not zero.
 SC_FN void sc_store_books(sc_device_step p, size_t i, sc_sphere_motion s, sc_gathered walls, sc_gathered all,
                           sc_sphere_moved moved, int among_others, __global real4* losses, __global real4* works,
-                          __global real4* impulses, __global real4* angulars) {
+                          __global real4* impulses, __global real4* angulars, __global real4* drag_impulses) {
   if (all.loss_normal != R(0) || all.loss_sliding != R(0) || all.loss_rolling != R(0))
     losses[i] += (real4)(all.loss_normal, all.loss_sliding, all.loss_rolling, R(0));
   if (!among_others && !p.book_gravity) return;
@@ -134,7 +125,14 @@ SC_FN void sc_store_books(sc_device_step p, size_t i, sc_sphere_motion s, sc_gat
   const sc_booked b = sc_book(p.move, sc_centre_of_sphere(s), load.force, torque, moved.centre, p.book_gravity);
   angulars[i] += (real4)(b.angular.x, b.angular.y, b.angular.z, R(0));
   if (!among_others) return;
-  works[i] += (real4)(moved.centre.drag_work, moved.centre.body_work, moved.prescribed_work, R(0));
+  if (SC_CHOSEN_COUPLED) {
+    // What a fluid that is solved for does to a particle is one work, whatever part of it the pressure has.
+    const sc_vec drag = moved.centre.drag_impulse;
+    works[i] += (real4)(moved.centre.drag_work + moved.centre.body_work, R(0), moved.prescribed_work, R(0));
+    drag_impulses[i] += (real4)(drag.x, drag.y, drag.z, p.move.kick);
+  } else {
+    works[i] += (real4)(moved.centre.drag_work, moved.centre.body_work, moved.prescribed_work, R(0));
+  }
   impulses[i] += (real4)(b.impulse.x, b.impulse.y, b.impulse.z, R(0));
 }
 
@@ -167,19 +165,22 @@ SC_FN sc_findings sc_add_found(sc_findings f, sc_found sum) {
   return f;
 }
 
-/// One step, number `step` of those that `poses` ([step][wall]) were sent for. Nothing happens if lists did not hold any more after an earlier one.
+/// One step, number `step` of those that `poses` ([step][wall]) were sent for. Nothing happens if lists did not hold any more
+/// after an earlier one, or if what acts in this one is lost.
 __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
-    const sc_device_step p, const int step, __global int* stale, __global const real4* motion, __global const real4* spin,
-    __global real4* motion_out, __global real4* spin_out, __global const real* excess, __global const int* material,
-    __global const int* ghost, __global const long* id, __global const real4* listed, __global const sc_pair_law* laws, __global const int* counts, __global uint* partners,
-    __global real4* slides, __global real4* rolls, __global const sc_wall* faces, __global const sc_wall_pose* poses,
-    __global const int* face_counts, __global uint* near_faces, __global real4* face_slides, __global real4* face_rolls,
-    __global real4* gaps, __global int* corners, __global int4* images,
-    __global real4* losses, __global real4* works, __global real4* impulses, __global real4* angulars,
-    __global sc_findings* findings) {
+    const sc_device_step p, const int step, __global int* stale, __global const int* lost, __global const real4* motion,
+    __global const real4* spin, __global real4* motion_out, __global real4* spin_out, __global const real* excess,
+    __global const int* material, __global const int* ghost, __global const long* id, __global const real4* listed,
+    __global const sc_pair_law* laws, __global const int* counts, __global uint* partners, __global real4* slides,
+    __global real4* rolls, __global const sc_wall* faces, __global const sc_wall_pose* poses, __global const int* face_counts,
+    __global uint* near_faces, __global real4* face_slides, __global real4* face_rolls, __global real4* gaps,
+    __global int* corners, __global int4* images, __global const sc_field* fields, __global const real4* streams,
+    __global const real4* pulls, __global const real4* befores, __global real4* losses, __global real4* works,
+    __global real4* impulses, __global real4* angulars, __global real4* drag_impulses, __global sc_findings* findings) {
   __local sc_found all[SC_GROUP];
   const size_t i = get_global_id(0);
-  const int halted = stale[step] != 0;
+  const int no_number = SC_CHOSEN_WATCHED ? lost[step] : 0;
+  const int halted = (stale[step] | no_number) != 0;
   if (halted) {
     if (i == 0) stale[step + 1] = 1;
   }
@@ -213,12 +214,14 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
     s.inverse_mass = own.speed.w;
     s.inverse_radius = own.rim.w;
     sc_move m = p.move;
-    if (!p.fields) m.drag = SC_DRAG_NONE;
-    sc_field field = sc_no_field();
-    if (p.fields) field.fluid = sc_flow_at(p.flow, s.position);
+    m.drag = SC_CHOSEN_DRAG;
+    const sc_said said = {streams, pulls, befores};
+    const sc_field field = SC_CHOSEN_FIELDS == SC_FIELDS_APART  ? fields[i]
+                           : SC_CHOSEN_FIELDS == SC_FIELDS_HERE ? sc_field_at(p, sc_centre_of_sphere(s), said, i)
+                                                                : sc_no_field();
     const sc_sphere_moved moved = sc_move_sphere(m, s, sc_load_of(all_of), field);
-    const int among_others = p.fields || !free_body || of_walls.near;
-    sc_store_books(p, i, s, of_walls, all_of, moved, among_others, losses, works, impulses, angulars);
+    const int among_others = SC_CHOSEN_FIELDS != SC_FIELDS_NONE || !free_body || of_walls.near;
+    sc_store_books(p, i, s, of_walls, all_of, moved, among_others, losses, works, impulses, angulars, drag_impulses);
     sc_store(p, i, own, moved.motion, listed[i], images, motion_out, spin_out, &found);
   }
   // What all items of the group have found, joined two by two; no barrier is under a condition.

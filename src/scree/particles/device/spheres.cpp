@@ -17,27 +17,14 @@ constexpr int first_face_room = 3;  // the same of faces
 
 static_assert(SC_SPEED_QUANTUM == speed_quantum);
 
-/// The laws are constants of the kernels, so that the choice folds away.
-std::string options_for(const sc_laws& laws, std::size_t group, bool several_ranks) {
+/// The laws and the fields are constants of the kernels, so that the choice folds away.
+std::string options_for(const sc_laws& laws, const Fields& fields, bool coupled, std::size_t group,
+                        bool several_ranks) {
   return fmt::format(
-      "-cl-std=CL1.2 -DSC_GROUP={} -DSC_SEVERAL_RANKS={:d} -DSC_CHOSEN_NORMAL={} -DSC_CHOSEN_TANGENTIAL={} "
-      "-DSC_CHOSEN_ROLLING={} "
-      "-DSC_CHOSEN_TWISTING={} -DSC_CHOSEN_COHESION={}",
-      group, several_ranks, laws.normal, laws.tangential, laws.rolling, laws.twisting, laws.cohesion);
-}
-
-sc_flow flow_of(const Fields& f) {
-  sc_flow out{};
-  out.kind = f.flow == FlowKind::uniform        ? SC_FLOW_UNIFORM
-             : f.flow == FlowKind::taylor_green ? SC_FLOW_TAYLOR_GREEN
-             : f.flow == FlowKind::shear        ? SC_FLOW_SHEAR
-                                                : SC_FLOW_NONE;
-  out.stream = f.stream;
-  out.amplitude = f.amplitude;
-  out.wavenumber = f.wavenumber;
-  out.shear_rate = f.shear_rate;
-  out.shear_origin = f.shear_origin;
-  return out;
+             "-cl-std=CL1.2 -DSC_GROUP={} -DSC_SEVERAL_RANKS={:d} -DSC_CHOSEN_NORMAL={} -DSC_CHOSEN_TANGENTIAL={} "
+             "-DSC_CHOSEN_ROLLING={} -DSC_CHOSEN_TWISTING={} -DSC_CHOSEN_COHESION={}",
+             group, several_ranks, laws.normal, laws.tangential, laws.rolling, laws.twisting, laws.cohesion) +
+         DeviceFields::options(fields, coupled);
 }
 
 sc_box box_of(const Domain& domain) {
@@ -56,7 +43,9 @@ sc_box box_of(const Domain& domain) {
 DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem& s, const ContactLists& lists,
                              const Fields& fields, double max_overlap)
     : device_(device),
-      program_(device, opencl::kernel_text, options_for(s.laws, group, !lists.ranks.alone())),
+      program_(device, DeviceFields::formulas(fields) + opencl::kernel_text,
+               options_for(s.laws, fields, s.particles.coupled(), group, !lists.ranks.alone())),
+      fields_(device, fields, s.particles),
       laws_of_run_(s.laws),
       first_law_(s.materials.law[0]),
       rolls_(s.contacts.remembers_rolling),
@@ -70,8 +59,6 @@ DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem&
   constants_.box = box_of(s.domain);
   least_ = s.domain.min;
   greatest_ = s.domain.max;
-  constants_.flow = flow_of(fields);
-  constants_.fields = act_locally(fields);
   constants_.max_overlap = max_overlap;
   wraps_ = s.domain.periodic;
   laws_ = opencl::sent(device_, s.materials.law);
@@ -172,9 +159,9 @@ DeviceSpheres::Lists DeviceSpheres::sent_sides(const std::vector<Side>& sides) c
   return lists;
 }
 
-void DeviceSpheres::step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls) {
+void DeviceSpheres::step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls, double now) {
   if (is_full()) throw std::logic_error("a device that is full has to settle first");
-  given_.push_back({move, time, walls});
+  given_.push_back({move, time, walls, now});
 }
 
 /// Where walls are in all steps given, for the first of which lists may have to be made.
@@ -184,10 +171,21 @@ void DeviceSpheres::send_poses() {
   wall_poses_.write(poses.data(), poses.size() * sizeof(sc_wall_pose));
 }
 
+/// Finds what acts on the particles, where the step itself does not; torques of a fluid turn them.
+void DeviceSpheres::meet_fields(int number, int from) {
+  if (!fields_.apart()) return;
+  fields_.make_room(device_, n_);
+  program_.run("sc_meet_fields", n_, group, constants_, number, stale_, fields_.lost(), motion_[from], spin_[from],
+               column_or_none("stream"), column_or_none("pull"), column_or_none("before"), column_or_none("gradient"),
+               fields_.shapes(), fields_.tables(), fields_.found(), columns_.at("work"),
+               columns_.at("angular_impulse"));
+}
+
 /// Step number `number` since the steps were last settled.
 void DeviceSpheres::launch(const Given& given, int number) {
   constants_.move = given.move;
   constants_.time = given.time;
+  constants_.around = fields_.around(given.now);
   constants_.counts = counts();
   // Rounding in the sum must not hide a move. Two particles, or a particle and a wall, may have approached by the skin.
   walls_travelled_ += given.walls.way * (1 + 1e-12);
@@ -197,12 +195,15 @@ void DeviceSpheres::launch(const Given& given, int number) {
   constants_.book_gravity =
       constants_.box.period[0] + constants_.box.period[1] + constants_.box.period[2] == 0 && sc_dot(g, g) > 0;
   const int from = (now_ + number) % 2, to = 1 - from;
-  program_.run("sc_pass", n_, group, constants_, number, stale_, motion_[from], spin_[from], motion_[to], spin_[to],
-               columns_.at("effect_excess"), columns_.at("material"), ghost_flags(), columns_.at("id"), listed_, laws_,
-               lists_.counts, lists_.entries, lists_.slides, lists_.rolls, wall_faces_, wall_poses_, face_lists_.counts,
-               face_lists_.entries, face_lists_.slides, face_lists_.rolls, gaps_, corners_, columns_.at("image"),
-               columns_.at("loss"), columns_.at("work"), columns_.at("impulse"), columns_.at("angular_impulse"),
-               found_);
+  meet_fields(number, from);
+  if (borders_) share_lost(number);
+  program_.run("sc_pass", n_, group, constants_, number, stale_, fields_.lost(), motion_[from], spin_[from],
+               motion_[to], spin_[to], columns_.at("effect_excess"), columns_.at("material"), ghost_flags(),
+               columns_.at("id"), listed_, laws_, lists_.counts, lists_.entries, lists_.slides, lists_.rolls,
+               wall_faces_, wall_poses_, face_lists_.counts, face_lists_.entries, face_lists_.slides, face_lists_.rolls,
+               gaps_, corners_, columns_.at("image"), fields_.found(), column_or_none("stream"), column_or_none("pull"),
+               column_or_none("before"), columns_.at("loss"), columns_.at("work"), columns_.at("impulse"),
+               columns_.at("angular_impulse"), column_or_none("drag_impulse"), found_);
 }
 
 /// What the steps have found since the last time.
@@ -238,8 +239,9 @@ DeviceSpheres::Done DeviceSpheres::do_ahead() {
   for (std::size_t k = 0; k < given_.size(); ++k) launch(given_[k], static_cast<int>(k));
   const auto stale = stale_.values<std::int32_t>(given_.size() + 1);
   const auto halt = std::find_if(stale.begin() + 1, stale.end(), [](std::int32_t s) { return s != 0; });
-  if (halt == stale.end()) return {std::ssize(given_), false};
-  return {halt - stale.begin(), true};
+  const bool halted = halt != stale.end();
+  const std::optional<std::ptrdiff_t> lost = fields_.take_first_lost(given_.size());
+  return {lost.value_or(halted ? halt - stale.begin() : std::ssize(given_)), halted, lost.has_value()};
 }
 
 /// One step after the other, with the other ranks.
@@ -247,9 +249,11 @@ DeviceSpheres::Done DeviceSpheres::do_in_turn() {
   for (std::size_t k = 0; k < given_.size(); ++k) {
     const int number = static_cast<int>(k);
     launch(given_[k], number);
-    if (swap_ghosts((now_ + number + 1) % 2, number)) return {number + 1, true};
+    if (!swap_ghosts((now_ + number + 1) % 2, number)) continue;
+    const std::optional<std::ptrdiff_t> lost = fields_.take_first_lost(given_.size());
+    return {lost.value_or(number + 1), true, lost.has_value()};
   }
-  return {std::ssize(given_), false};
+  return {std::ssize(given_), false, false};
 }
 
 /// Gives the steps to the device, as many as lists hold for; again and again with fresh lists those that were not done.
@@ -266,6 +270,8 @@ DeviceFindings DeviceSpheres::settle() {
     add_findings(out);
     stale_.clear();
     if (done.halted) listed_already_ = false;
+    out.field_lost = done.field_lost;
+    if (out.field_lost) break;
     if (!out.last.sound || !out.last.inside || out.last.deepest > constants_.max_overlap) break;
   }
   out.undone = std::ssize(given_);
@@ -279,7 +285,7 @@ double DeviceSpheres::candidates() const {
 }
 
 std::size_t DeviceSpheres::bytes() const {
-  std::size_t sum = 0;
+  std::size_t sum = fields_.bytes();
   for (const auto& [name, column] : columns_) sum += column.bytes();
   for (const opencl::DeviceBuffer* b :
        {&motion_[0], &motion_[1], &spin_[0], &spin_[1], &listed_, &wall_faces_, &wall_poses_, &gaps_, &corners_,

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -12,7 +13,7 @@
 #include "scree/compute/opencl/device.h"
 #include "scree/kernels/opencl/parameters.h"
 #include "scree/particles/device/borders.h"
-#include "scree/particles/fields.h"
+#include "scree/particles/device/fields.h"
 #include "scree/particles/reach.h"
 #include "scree/particles/system.h"
 
@@ -25,6 +26,7 @@ struct DeviceFindings {
   std::int64_t contacts = 0, wall_contacts = 0, impacts = 0, impact_speed = 0;  // summed over the steps
   std::int64_t steps = 0;                                                       // done
   std::int64_t undone = 0;  // steps given that were not done, because one before them went wrong
+  bool field_lost = false;  // the first of these was not done because what acts in it is no number somewhere
 };
 
 /// Where walls are in a step, and how far at most any part of them near particles goes in it [m].
@@ -50,8 +52,8 @@ class DeviceSpheres {
   DeviceSpheres(const opencl::Device& device, const ParticleSystem& system, const ContactLists& lists,
                 const Fields& fields, double max_overlap);
 
-  /// Gives a step to the device; it is done later.
-  void step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls);
+  /// Gives a step to the device that begins at the time `now` [s]; it is done later.
+  void step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls, double now);
 
   /// True if so many steps are waiting that settle() is due.
   bool is_full() const { return given_.size() >= most_given; }
@@ -71,6 +73,14 @@ class DeviceSpheres {
   /// that of before. The system's walls are where they are now.
   void put_back(const PartOfDevice& before, const ParticleSystem& after);
 
+  /// Brings the columns of these names back, of those that `to` has, into rows as they stand on the device now; or puts
+  /// them there. All steps must be settled.
+  void read_columns(std::span<const std::string_view> names, Particles& to) const;
+  void write_columns(std::span<const std::string_view> names, const Particles& from);
+
+  /// What acts at each particle in the step that was not done because of it, in the order of ids.
+  Buffer<sc_field> bring_back_fields() const;
+
   /// Own particles.
   std::size_t particles() const { return n_ - (borders_ ? borders_->ghosts.size() : 0); }
 
@@ -81,7 +91,7 @@ class DeviceSpheres {
   std::size_t bytes() const;
 
  private:
-  static constexpr std::size_t most_given = 32;
+  static constexpr std::size_t most_given = SC_MOST_GIVEN;
   static constexpr std::size_t group = 128;  // items of a group
 
   struct Lists {
@@ -102,10 +112,12 @@ class DeviceSpheres {
     sc_move move;
     sc_contact_time time;
     WallsOfStep walls;
+    double now;
   };
   struct Done {
     std::ptrdiff_t steps;
-    bool halted;  // lists hold no more, or something has gone wrong
+    bool halted;      // lists hold no more, or something has gone wrong
+    bool field_lost;  // what acts somewhere in the step that follows is no number
   };
   /// Contacts of some particles, and who else takes part in them.
   struct ContactsOfSome {
@@ -142,6 +154,7 @@ class DeviceSpheres {
   void dismiss(const std::vector<std::int32_t>& rows);
   void put_words(const std::vector<std::int32_t>& rows, std::int32_t word, opencl::DeviceBuffer& to);
   const opencl::DeviceBuffer& ghost_flags() const;
+  std::vector<std::int32_t> ghosts() const;
   void join(const ParticleSystem& system, const ContactLists& lists);
   void share_evenly();
   void cover_block(double range);
@@ -156,6 +169,7 @@ class DeviceSpheres {
   void put_memory(const KeyedContacts& contacts, const std::unordered_map<std::int64_t, std::int32_t>& row_of,
                   Lists& lists, bool of_faces);
   bool swap_ghosts(int to, int step);
+  void share_lost(int step);
   Done do_ahead();
   Done do_in_turn();
   void make_lists();
@@ -170,12 +184,15 @@ class DeviceSpheres {
   void fit_cells();
   void adapt_skin();
   void launch(const Given& given, int number);
+  void meet_fields(int number, int from);
+  const opencl::DeviceBuffer& column_or_none(std::string_view name) const;
   void add_findings(DeviceFindings& to);
   sc_counts counts() const;
   std::size_t groups() const;
 
   const opencl::Device& device_;
   opencl::Program program_;
+  DeviceFields fields_;
   sc_laws laws_of_run_;
   sc_pair_law first_law_;  // of the first material with itself
   bool rolls_;

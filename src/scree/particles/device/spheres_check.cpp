@@ -57,9 +57,10 @@ sc_contact_state state_of(int k, double r) {
 }  // namespace
 
 void DeviceSpheres::check_kernels() {
-  const std::array<int, 8> expected{sizeof(sc_device_step),   sizeof(sc_findings),      sizeof(sc_pair_law),
-                                    sizeof(sc_wall),          sizeof(sc_wall_pose),     sizeof(sc_touch),
-                                    sizeof(sc_contact_state), sizeof(sc_contact_result)};
+  const std::array<int, 10> expected{sizeof(sc_device_step),   sizeof(sc_findings),       sizeof(sc_pair_law),
+                                     sizeof(sc_wall),          sizeof(sc_wall_pose),      sizeof(sc_touch),
+                                     sizeof(sc_contact_state), sizeof(sc_contact_result), sizeof(sc_field),
+                                     sizeof(sc_flow_shape)};
   opencl::DeviceBuffer found(device_, sizeof expected);
   program_.run("sc_sizes", 1, 1, found);
   if (const auto sizes = found.values<int>(expected.size()); !std::equal(sizes.begin(), sizes.end(), expected.begin()))

@@ -47,6 +47,40 @@ const opencl::DeviceBuffer& DeviceSpheres::column(std::string_view name) const {
   return const_cast<DeviceSpheres*>(this)->column(name);
 }
 
+/// An empty buffer for what the particles do not have.
+const opencl::DeviceBuffer& DeviceSpheres::column_or_none(std::string_view name) const {
+  static const opencl::DeviceBuffer none;
+  return row_bytes_.contains(name) ? column(name) : none;
+}
+
+void DeviceSpheres::read_columns(std::span<const std::string_view> names, Particles& to) const {
+  to.resize(n_);
+  to.for_each_field([&](std::string_view name, auto& values, auto...) {
+    if (std::ranges::find(names, name) != names.end())
+      column(name).read(values.values.data(), n_ * row_bytes_.at(name));
+  });
+}
+
+void DeviceSpheres::write_columns(std::span<const std::string_view> names, const Particles& from) {
+  from.for_each_field([&](std::string_view name, const auto& values, auto...) {
+    if (std::ranges::find(names, name) != names.end())
+      column(name).write(values.values.data(), n_ * row_bytes_.at(name));
+  });
+}
+
+Buffer<sc_field> DeviceSpheres::bring_back_fields() const {
+  const auto id = columns_.at("id").values<std::int64_t>(n_);
+  const auto found = fields_.found().values<sc_field>(n_);
+  std::vector<std::uint32_t> order(n_);
+  std::iota(order.begin(), order.end(), 0U);
+  const std::vector<std::int32_t> ghost = ghosts();
+  std::erase_if(order, [&](std::uint32_t row) { return ghost[row] != 0; });
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return id[a] < id[b]; });
+  Buffer<sc_field> out(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) out[i] = found[order[i]];
+  return out;
+}
+
 /// Calls visit(particle, entry, slide, roll) for every contact that acts, slot by slot; no roll where none is
 /// remembered.
 template <class Visit>
@@ -91,6 +125,13 @@ Luggage DeviceSpheres::remembered(const Lists& pairs, const Lists& faces, const 
   return out;
 }
 
+/// Marks of the rows that are copies of others' particles.
+std::vector<std::int32_t> DeviceSpheres::ghosts() const {
+  std::vector<std::int32_t> out(n_, 0);
+  if (borders_) ghost_flags().read(out.data(), n_ * sizeof out[0]);
+  return out;
+}
+
 void DeviceSpheres::bring_back(ParticleSystem& system) const {
   Particles& p = system.particles;
   p.resize(n_);
@@ -98,8 +139,7 @@ void DeviceSpheres::bring_back(ParticleSystem& system) const {
     column(name).read(values.values.data(), n_ * row_bytes_.at(name));
   });
   const std::vector<std::int64_t> id(p.id.values.begin(), p.id.values.end());
-  std::vector<std::int32_t> ghost(n_, 0);
-  if (borders_) ghost_flags().read(ghost.data(), n_ * sizeof ghost[0]);
+  const std::vector<std::int32_t> ghost = ghosts();
   const auto id_of = [&](std::uint32_t row) { return std::pair(id[row], ghost[row] == 0); };
   const Luggage acting = remembered(lists_, face_lists_, id, id_of);
   std::vector<std::uint32_t> own = order_by_id(p);

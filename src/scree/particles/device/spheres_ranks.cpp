@@ -237,6 +237,16 @@ void DeviceSpheres::put_memory(const KeyedContacts& contacts,
     throw std::logic_error("a contact that has come from another rank is on no list of the device");
 }
 
+/// Where what acts in a step is no number for one rank, no rank does the step.
+void DeviceSpheres::share_lost(int step) {
+  if (!fields_.watched()) return;
+  std::int32_t lost = 0;
+  const std::size_t at = static_cast<std::size_t>(step) * sizeof lost;
+  fields_.lost().read(&lost, sizeof lost, at);
+  lost = borders_->ranks.largest(lost) != 0;
+  fields_.lost().write(&lost, sizeof lost, at);
+}
+
 /// Brings copies, in the state that step number `step` has written, to that of their originals. Whether some rank has
 /// set the flag of the next step.
 bool DeviceSpheres::swap_ghosts(int to, int step) {

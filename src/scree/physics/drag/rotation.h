@@ -34,7 +34,7 @@ SC_FN sc_vec sc_strain_across(sc_mat gradient, sc_mat axes) {
 /// about each axis of the body [rad/s], [N m s].
 typedef struct {
   sc_vec spin, resistance;
-} sc_turning;
+} sc_turning_in_fluid;
 
 /// The size of a body and the fluid around: diameter of the sphere of equal volume [m], density, viscosity.
 typedef struct {
@@ -43,8 +43,8 @@ typedef struct {
 
 /// Of a body in its frame: in creeping flow Jeffery's; the resistance then grows as that of a sphere of equal volume.
 /// `half_curl` and `strain` (sc_strain_across) are those of the flow there, `spin` that of the body [1/s].
-SC_FN sc_turning sc_turning_of(sc_flow_shape s, sc_rotor r, sc_vec half_curl, sc_vec strain, sc_vec spin) {
-  sc_turning out;
+SC_FN sc_turning_in_fluid sc_turning_of(sc_flow_shape s, sc_rotor r, sc_vec half_curl, sc_vec strain, sc_vec spin) {
+  sc_turning_in_fluid out;
   out.spin = sc_make_vec(half_curl.x + s.straining.x / s.turning.x * strain.x,
                          half_curl.y + s.straining.y / s.turning.y * strain.y,
                          half_curl.z + s.straining.z / s.turning.z * strain.z);
