@@ -307,6 +307,42 @@ region_max = [0.05, 0.048, 0.06]
                                    for i in range(4) for j in range(4) for k in range(3)))
 
 
+# A crowd that spins and collides in a viscous stream.
+TURNED = """
+[simulation]
+end = 0.006
+time_step = 2e-5
+max_overlap = 0.9
+[domain]
+min = [0, 0, 0]
+max = [0.02, 0.02, 0.02]
+periodic = [true, true, true]
+[contact]
+tangential = "history"
+[[materials]]
+name = "grain"
+density = 2500
+stiffness = 300
+restitution = 0.8
+friction = 0.3
+[[particles]]
+material = "grain"
+diameter = 0.002
+insert = "random"
+count = 150
+velocity = { type = "random", deviation = 0.3 }
+[flow]
+type = "uniform"
+velocity = [0.1, 0, 0]
+density = 10
+viscosity = 0.1
+drag = "schiller_naumann"
+viscous_torque = "on"
+[output]
+frames = 0.006
+"""
+
+
 def children_of(pid):
     found = subprocess.run(["pgrep", "-P", str(pid)], capture_output=True, text=True).stdout.split()
     return [int(child) for child in found] + [c for child in found for c in children_of(child)]

@@ -14,46 +14,10 @@ import h5py
 import numpy
 
 from ranks_common import (CROWD, ENVIRONMENT, HARD_SHAPES, HARD_SPHERES, MPIEXEC, PROGRAM, SHAPES, SHAPES_COME, SPHERES_COME,
-                          Ranks)
+                          TURNED, Ranks)
 
 # A duct with a step, a body in it and a bed behind it, all of which the cuts between ranks go through.
 FLUID = (pathlib.Path(__file__).parent / "ranks_fluid.toml").read_text()
-
-# A crowd that spins and collides in a viscous stream.
-TURNED = """
-[simulation]
-end = 0.006
-time_step = 2e-5
-max_overlap = 0.9
-[domain]
-min = [0, 0, 0]
-max = [0.02, 0.02, 0.02]
-periodic = [true, true, true]
-[contact]
-tangential = "history"
-[[materials]]
-name = "grain"
-density = 2500
-stiffness = 300
-restitution = 0.8
-friction = 0.3
-[[particles]]
-material = "grain"
-diameter = 0.002
-insert = "random"
-count = 150
-velocity = { type = "random", deviation = 0.3 }
-[flow]
-type = "uniform"
-velocity = [0.1, 0, 0]
-density = 10
-viscosity = 0.1
-drag = "schiller_naumann"
-viscous_torque = "on"
-[output]
-frames = 0.006
-"""
-
 
 class OnSeveralRanks(Ranks):
     def assert_shared(self, summary, ranks, most_messages):
