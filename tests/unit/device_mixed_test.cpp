@@ -335,7 +335,8 @@ TEST(DeviceMixed, RefusesByNameWhatItDoesNotHave) {
       {"[[particles]]\nname = \"feed\"\nmaterial = \"glass\"\ninsert = \"rate\"\nnumber_rate = 100\ndiameter = 3e-3\n"
        "region_min = [0, 0, 0.02]\nregion_max = [0.02, 0.02, 0.03]\n",
        "particles that come in while the run goes on are not there yet in mixed precision"},
-      {"[flow]\ntype = \"still\"\ndensity = 1.2\nviscosity = 1.8e-5\ndrag = \"stokes\"\nbuoyancy = true\n",
+      {"[flow]\ntype = \"still\"\ndensity = 1.2\nviscosity = 1.8e-5\ndrag = \"stokes\"\nbuoyancy = "
+       "true\n[gravity]\ntype = \"uniform\"\nacceleration = [0, 0, -9.81]\n",
        "buoyancy is"},
       {"[gravity]\ntype = \"expression\"\nexpression = [\"x\", \"0\", \"0\"]\n",
        "body forces other than uniform gravity are"}};

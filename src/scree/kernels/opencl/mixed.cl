@@ -149,8 +149,9 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass_mixe
     __global uint* partners, __global float4* slides, __global float4* rolls, __global const sc_wall* faces,
     __global const sc_wall_pose* poses, __global const int* face_counts, __global uint* near_faces,
     __global real4* face_slides, __global real4* face_rolls, __global real4* gaps, __global int* corners,
-    __global int4* images, __global real4* losses, __global real4* works, __global real4* impulses,
-    __global real4* angulars, __global sc_findings* findings) {
+    __global int4* images, __global const sc_field* fields, __global const real4* streams, __global const real4* pulls,
+    __global const real4* befores, __global real4* losses, __global real4* works, __global real4* impulses,
+    __global real4* angulars, __global real4* drag_impulses, __global sc_findings* findings) {
   __local sc_found all[SC_GROUP];
   const size_t i = get_global_id(0);
   const int halted = stale[step] != 0;
@@ -179,8 +180,8 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass_mixe
     const sc_near_faces f = {i,     (size_t)p.counts.particles,   near_count,
                              faces, poses + step * p.counts.walls, near_faces,
                              face_slides, face_rolls, gaps, corners};
-    const sc_acting acting = {0, {0, 0, 0}};  // fields are found here, and no fluid has said anything
-    const sc_books books = {losses, works, impulses, angulars, 0};
+    const sc_acting acting = {fields, {streams, pulls, befores}};
+    const sc_books books = {losses, works, impulses, angulars, drag_impulses};
     const sc_row wide = sc_widen_row(s, own, place, rests, i);
     const sc_sphere_motion q = sc_go(p, wide, sc_zero_vec(), sc_widen_gathered(s, g), f, laws, acting, books, &found);
     sc_store_mixed(s, i, q.position, q, here, rest, own, rests, images, near_out, speed_out, spin_out, &found);

@@ -34,7 +34,6 @@ std::string text_for(Precision precision, const Fields& fields) {
   const std::string text = DeviceFields::formulas(fields) + opencl::kernel_text;
   return precision == Precision::full ? text : opencl::single_text + text + opencl::mixed_text;
 }
-}
 
 sc_box box_of(const Domain& domain) {
   sc_box box{};
