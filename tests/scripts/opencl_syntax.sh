@@ -62,7 +62,7 @@ for target in spir64 nvptx64; do
   for fields in "$everything" "$solved"; do
     check "kernels for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=1 $laws $fields $formulas -I"$source" "$kernels/double.cl"
   done
-  check "kernels in mixed precision for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=1 $laws $solved $formulas "$kernels/mixed.cl"
+  check "kernels in mixed precision for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=0 $laws $solved $formulas "$kernels/mixed.cl"
 done
 for text in fixed_point gathered partners carry try_law; do
   echo "#include \"scree/kernels/opencl/$text.cl\"" >> "$kernels/single.cl"

@@ -12,7 +12,7 @@ __kernel void sc_carry_over(const int n, const int n_before, const int of_faces,
   const size_t i = get_global_id(0);
   if (i >= (size_t)n) return;
   const size_t was = (size_t)order[i];
-  if (was >= (size_t)n_before || SC_IS_GHOST(ghost, i)) return;
+  if (was >= (size_t)n_before || sc_is_ghost(ghost, i)) return;
   for (int k = 0; k < old_counts[was]; ++k) {
     const size_t from = (size_t)k * (size_t)n_before + was;
     const uint entry = old_entries[from];

@@ -6,8 +6,12 @@
 
 typedef float4 real4;
 
-// There are no copies of particles of other ranks.
-#define SC_IS_GHOST(ghost, i) ((void)(ghost), 0)
+/// There are no copies of particles of other ranks.
+SC_FN int sc_is_ghost(__global const int* ghost, size_t i) {
+  (void)ghost;
+  (void)i;
+  return 0;
+}
 
 /// A place: its number along each axis, the radius in ticks and, as in double precision, in w.
 typedef struct {

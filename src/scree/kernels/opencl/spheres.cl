@@ -182,7 +182,7 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
   const int no_number = SC_CHOSEN_WATCHED ? lost[step] : 0;
   const int halted = (stale[step] | no_number) != 0;
   sc_found found = sc_nothing_found();
-  if (!halted && i < (size_t)p.counts.particles && !SC_IS_GHOST(ghost, i)) {
+  if (!halted && i < (size_t)p.counts.particles && !sc_is_ghost(ghost, i)) {
     const sc_state state = {motion, spin, excess, material, ghost, id};
     const sc_meeting meeting = {p.box, p.time, (size_t)p.counts.particles, p.counts.materials, p.margin, SC_SPEED_QUANTUM};
     const int near_count = p.counts.faces > 0 ? face_counts[i] : 0;

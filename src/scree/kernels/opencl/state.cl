@@ -4,12 +4,16 @@
 
 typedef double4 real4;
 
-// SC_SEVERAL_RANKS: some of the particles are copies of those of other ranks, which move them.
+/// SC_SEVERAL_RANKS: some of the particles are copies of those of other ranks, which move them.
+SC_FN int sc_is_ghost(__global const int* ghost, size_t i) {
 #if SC_SEVERAL_RANKS
-#define SC_IS_GHOST(ghost, i) ((ghost)[i] != 0)
+  return ghost[i] != 0;
 #else
-#define SC_IS_GHOST(ghost, i) 0
+  (void)ghost;
+  (void)i;
+  return 0;
 #endif
+}
 
 /// A place, and the radius in w.
 typedef real4 sc_place;
@@ -35,7 +39,7 @@ SC_FN real4 sc_speed_at(sc_state state, size_t i) { return state.motion[2 * i + 
 
 /// Both sides see a pair: one of them counts it, of two ranks that of the lower id.
 SC_FN int sc_counts_pair(sc_state state, size_t i, size_t j) {
-  return !(SC_IS_GHOST(state.ghost, j) ? state.id[j] < state.id[i] : j < i);
+  return !(sc_is_ghost(state.ghost, j) ? state.id[j] < state.id[i] : j < i);
 }
 
 SC_FN real sc_nearest_image(real d, real period, real middle) {
