@@ -1,9 +1,8 @@
 # Usage: cmake -D SOURCE=DIR -D OUTPUT=FILE -P embed_kernels.cmake
-# Writes src/scree/kernels/opencl/*.cl with all that they include, each header once, as one string of C++: a device's
-# compiler sees no files.
+# Writes src/scree/kernels/opencl/*.cl with all that they include, each header once, as strings of C++: a device's compiler
+# sees no files. Mixed precision needs the text of contacts twice, in single and in double precision: the former is the same text
+# with names that begin with sf_ instead of sc_. Where OUTPUT ends in .cl, the text of mixed precision is written as it is.
 cmake_minimum_required(VERSION 3.25)
-set(seen "")
-set(text "")
 
 function(take file)
   if(file IN_LIST seen)
@@ -26,10 +25,33 @@ function(take file)
   set(text "${text}" PARENT_SCOPE)
 endfunction()
 
-foreach(kernels gathered faces fields spheres sort lists check)
-  take("scree/kernels/opencl/${kernels}.cl")
+function(flatten result)
+  set(seen "")
+  set(text "")
+  foreach(kernels ${ARGN})
+    take("scree/kernels/opencl/${kernels}.cl")
+  endforeach()
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
+flatten(double state gathered partners faces fields spheres sort lists carry check try_law)
+flatten(single fixed_point gathered partners carry try_law)
+flatten(mixed mixed)
+foreach(prefix sc_:sf_ SC_:SF_ SCREE_:SCREE_SINGLE_)
+  string(REPLACE ":" ";" pair ${prefix})
+  list(GET pair 0 from)
+  list(GET pair 1 to)
+  string(REPLACE "${from}" "${to}" single "${single}")
 endforeach()
+string(PREPEND single "#define SCREE_SINGLE_FLOAT\n#define real sf_real\n#define real4 sf_real4\n")
+string(APPEND single "#undef real\n#undef real4\n")
+if(OUTPUT MATCHES "\\.cl$")
+  file(WRITE "${OUTPUT}" "${single}${double}${mixed}")
+  return()
+endif()
 file(WRITE "${OUTPUT}" "#include \"scree/compute/opencl/text.h\"
 
-const char* const scree::opencl::kernel_text = R\"kernels(${text})kernels\";
+const char* const scree::opencl::kernel_text = R\"kernels(${double})kernels\";
+const char* const scree::opencl::single_text = R\"kernels(${single})kernels\";
+const char* const scree::opencl::mixed_text = R\"kernels(${mixed})kernels\";
 ")

@@ -158,6 +158,13 @@ class CommandLine(unittest.TestCase):
             self.assertIn("flows that are solved for are not there yet on devices", told)
         self.assertIn("no such device", self.refused("check", "case.toml", "--device", "opencl:99"))
 
+    def test_mixed_precision_is_for_devices(self):
+        for command in ("check", "run"):
+            told = self.refused(command, "case.toml", "--precision", "mixed")
+            self.assertIn("error[E190]: mixed precision is for devices", told)
+            told = self.refused(command, "case.toml", "--precision", "half", "--device", "opencl")
+            self.assertIn("--precision half: error[E190]: expected double or mixed", told)
+
     def test_check_tells_what_a_run_writes_and_the_room_for_it(self):
         report = self.scree("check", "case.toml", "-o", "elsewhere").stdout
         self.assertRegex(report, r"writes +2 frames of [0-9.]+ kB, 6 rows of \d+ B, 1 checkpoint of [0-9.]+ kB\n")

@@ -77,8 +77,8 @@ class Devices(unittest.TestCase):
         return subprocess.run([PROGRAM, *arguments], cwd=self.work, env=os.environ | SIMULATOR | environment,
                               capture_output=True, text=True)
 
-    def run_on(self, device, case):
-        result = self.scree("run", case, "-o", device.replace(":", "_"), "--device", device, "--quiet", "--force")
+    def run_on(self, device, case, *more):
+        result = self.scree("run", case, "-o", device.replace(":", "_"), "--device", device, "--quiet", "--force", *more)
         self.assertEqual(result.returncode, 0, result.stderr)
         # Whatever the simulator has to say it says there.
         self.assertEqual(result.stderr + result.stdout, "")
@@ -98,6 +98,13 @@ class Devices(unittest.TestCase):
     def test_fields_neither_race_nor_leave_their_buffers(self):
         (self.work / "flow.toml").write_text(CROWD + FLOW)
         self.expect_the_same("flow.toml")
+
+    def test_kernels_in_mixed_precision_do_not_either(self):
+        alone, device = (self.run_on("cpu", "crowd.toml"), self.run_on("opencl:0", "crowd.toml", "--precision", "mixed"))
+        for key in ("contacts", "wall_contacts"):
+            self.assertEqual(device[key], alone[key], key)
+        self.assertEqual((alone["device"], alone["precision"], device["precision"]), ("cpu", "double", "mixed"))
+        self.assertIn("Oclgrind", device["device"])
 
     def test_info_lists_devices_and_what_was_tried(self):
         self.assertIn("device opencl:0    Oclgrind", self.scree("info").stdout)

@@ -33,8 +33,11 @@ for header in $(find "$source/scree/physics" "$source/scree/kernels" -name '*.h'
   check "$header as C++" "$cxx" $cplusplus -Werror -I"$source" "$header"
   check "$header as C++, float" "$cxx" $cplusplus -Werror -DSCREE_FLOAT -Wdouble-promotion -I"$source" "$header"
 done
-laws="-DSC_GROUP=128 -DSC_SEVERAL_RANKS=1 -DSC_CHOSEN_NORMAL=2 -DSC_CHOSEN_TANGENTIAL=6 -DSC_CHOSEN_ROLLING=1 -DSC_CHOSEN_TWISTING=1
-      -DSC_CHOSEN_COHESION=2"
+laws=
+for prefix in SC SF; do
+  laws="$laws -D${prefix}_GROUP=128 -D${prefix}_CHOSEN_NORMAL=2 -D${prefix}_CHOSEN_TANGENTIAL=6 -D${prefix}_CHOSEN_ROLLING=1
+        -D${prefix}_CHOSEN_TWISTING=1 -D${prefix}_CHOSEN_COHESION=2"
+done
 formulas=""
 for component in X Y Z; do
   formulas="$formulas -DSC_FORMULA_ACCELERATION_$component=sc_formula_sin(x+y)*z*t"
@@ -49,15 +52,21 @@ solved="-DSC_CHOSEN_FIELDS=1 -DSC_CHOSEN_BODY_FORCE=1 -DSC_CHOSEN_FLOW=0 -DSC_CH
         -DSC_CHOSEN_WATCHED=0 -DSC_CHOSEN_COUPLED=1 -DSC_CHOSEN_PUSHES=0 -DSC_CHOSEN_TURNS=0 -DSC_CHOSEN_FORCE_DRAG=5
         -DSC_CHOSEN_BODY_DRAG=0 -DSC_CHOSEN_LIFT=0 -DSC_CHOSEN_PITCHING=0 -DSC_CHOSEN_VISCOUS_TURN=0
         -DSC_CHOSEN_SAFFMAN=0 -DSC_CHOSEN_MAGNUS=0 -DSC_CHOSEN_CARRIED=0 -DSC_CHOSEN_ADDED_MASS=0"
-kernels=$(mktemp --suffix=.cl)
-trap 'rm -f "$kernels"' EXIT
-for text in gathered faces fields spheres sort lists check; do
-  echo "#include \"scree/kernels/opencl/$text.cl\"" >> "$kernels"
+kernels=$(mktemp -d)
+trap 'rm -rf "$kernels"' EXIT
+for text in state gathered partners faces fields spheres sort lists carry check try_law; do
+  echo "#include \"scree/kernels/opencl/$text.cl\"" >> "$kernels/double.cl"
 done
+check "text in mixed precision" cmake -D SOURCE="$source" -D OUTPUT="$kernels/mixed.cl" -P "$source/../tools/embed_kernels.cmake"
 for target in spir64 nvptx64; do
   for fields in "$everything" "$solved"; do
-    check "kernels for $target" "$clang" $opencl -target $target $laws $fields $formulas -I"$source" "$kernels"
+    check "kernels for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=1 $laws $fields $formulas -I"$source" "$kernels/double.cl"
   done
+  check "kernels in mixed precision for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=0 $laws $solved $formulas "$kernels/mixed.cl"
 done
+for text in fixed_point gathered partners carry try_law; do
+  echo "#include \"scree/kernels/opencl/$text.cl\"" >> "$kernels/single.cl"
+done
+check "kernels in single precision" "$clang" $opencl -DSCREE_FLOAT -Wdouble-promotion $laws -I"$source" "$kernels/single.cl"
 echo "$count headers"
 [ "$count" -gt 0 ] && [ "$failed" -eq 0 ]

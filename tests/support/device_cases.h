@@ -125,9 +125,10 @@ inline void expect_the_same(const std::string& text, int steps, const Overrides&
 }
 
 /// What a run stops with, and after how many steps.
-inline std::pair<std::string, std::int64_t> failure_of(const Case& c, bool on_device) {
+inline std::pair<std::string, std::int64_t> failure_of(const Case& c, bool on_device,
+                                                       Precision precision = Precision::full) {
   Simulation s(c, 1);
-  if (on_device) s.use_device(first_device());
+  if (on_device) s.use_device(first_device(), precision);
   try {
     advance(s, 2000);
     s.whole();

@@ -85,7 +85,7 @@ void measure(const std::string& name, const std::vector<int>& threads, const Ben
     return;
   }
   if (name == "gpu-vortex") {
-    for (const DeviceFigures& f : measure_vortex_on_device(options.device, largest_on_device(options), rounds))
+    for (const DeviceFigures& f : measure_vortex_on_device(options, largest_on_device(options), rounds))
       figures.push_back(device_json(f));
     return;
   }
@@ -96,7 +96,7 @@ void measure(const std::string& name, const std::vector<int>& threads, const Ben
   for (std::string& change : make_packing(scene, packings)) scene.changes.push_back(std::move(change));
   scene.changes.insert(scene.changes.end(), options.set.begin(), options.set.end());
   if (name == "gpu-spheres") {
-    for (const DeviceFigures& f : measure_bed_on_device(scene, options.device, largest_on_device(options), rounds))
+    for (const DeviceFigures& f : measure_bed_on_device(scene, options, largest_on_device(options), rounds))
       figures.push_back(device_json(f));
     return;
   }

@@ -15,10 +15,11 @@ struct BenchOptions {
   int rounds = 0;                  // measurements of which the median counts; 0: 5, of linear 3
   std::int64_t particles = 0;      // the largest size; 0: of linear 1e6, on a device 1e7
   std::string device = "opencl";   // gpu-...: as of `scree run`
-  std::string json;                // file for the figures; empty: none
-  std::string plot;                // linear: file for the picture (PNG; its figures beside it); empty: none
-  std::vector<std::string> set;    // changes of the scenes, as of load_case(); not of how their particles are made
-  Ranks ranks;                     // of fluid; all others are measured by the root alone
+  std::string precision = "double";
+  std::string json;              // file for the figures; empty: none
+  std::string plot;              // linear: file for the picture (PNG; its figures beside it); empty: none
+  std::vector<std::string> set;  // changes of the scenes, as of load_case(); not of how their particles are made
+  Ranks ranks;                   // of fluid; all others are measured by the root alone
   std::string packings;  // where the scenes' particles and meshes are kept; empty: the cache directory of the user
 };
 

@@ -70,20 +70,33 @@ sc_move move_of(const Fields& fields, double dt) {
   return m;
 }
 
-/// What one particle-step has to move on a device: the particle's state both ways, its image, where it was listed,
-/// losses both ways; where fields act, works and impulses of both kinds, both ways; of every candidate its entry and
-/// its place, of every contact the rest of the partner's state, and its spring both ways. Both sides of a pair do this.
-double bytes_on_device(double candidates, double contacts, bool fields) {
-  constexpr double row = 32, state = 3 * row;
-  return 2 * state + row / 2 + row + 2 * row + (fields ? 6 * row : 0) + candidates * (4 + row) + contacts * (4 * row);
+/// Where and how steps are measured.
+struct Target {
+  opencl::Device device;
+  Precision precision;
+
+  const char* precision_name() const { return precision == Precision::mixed ? "mixed" : "double"; }
+};
+
+/// What one particle-step has to move on a device: the particle's state both ways, where it was listed, losses both
+/// ways; where fields act, works and impulses of both kinds, both ways; of every candidate its entry and its place, of
+/// every contact the rest of the partner's state, and its spring both ways. Both sides of a pair do this. In double
+/// precision also the image; in mixed precision rows of others are half as long, and only the particle itself has to do
+/// with the rests of its place, velocity and spin.
+double bytes_on_device(Precision precision, double candidates, double contacts, bool fields) {
+  constexpr double book = 32;
+  const bool mixed = precision == Precision::mixed;
+  const double row = mixed ? 16 : 32, image = mixed ? 0 : 16, rests = mixed ? 3 * 12 : 0;
+  return 2 * (3 * row + rests) + image + row + 2 * book + (fields ? 6 * book : 0) + candidates * (4 + row) +
+         contacts * (4 * row);
 }
 
 /// Steps on a device, one after the other with nothing between them.
 class DeviceSteps {
  public:
-  DeviceSteps(const opencl::Device& device, const ParticleSystem& system, const Fields& fields, double dt)
+  DeviceSteps(const Target& target, const ParticleSystem& system, const Fields& fields, double dt)
       : lists_(prepare_lists(system, 0)),
-        spheres_(device, system, lists_, fields, 1),
+        spheres_(target.device, target.precision, system, lists_, fields, 1),
         move_(move_of(fields, dt)),
         time_{dt, 0.5 * dt, dt},
         walls_{system.walls.poses} {}
@@ -110,13 +123,14 @@ class DeviceSteps {
 };
 
 /// One system, warmed up, in rounds of steps.
-DeviceFigures measure_size(const opencl::Device& device, const ParticleSystem& system, const Fields& fields, double dt,
+DeviceFigures measure_size(const Target& target, const ParticleSystem& system, const Fields& fields, double dt,
                            int rounds, int round_steps) {
-  DeviceSteps steps(device, system, fields, dt);
+  DeviceSteps steps(target, system, fields, dt);
   steps.run(warm_steps);
   const std::int64_t contacts_before = steps.contacts();
   DeviceFigures f;
-  f.device = device.info().name;
+  f.device = target.device.info().name;
+  f.precision = target.precision_name();
   f.particles = static_cast<std::int64_t>(system.particles.size());
   f.steps = round_steps;
   const double particle_steps = static_cast<double>(f.particles) * round_steps;
@@ -127,17 +141,18 @@ DeviceFigures measure_size(const opencl::Device& device, const ParticleSystem& s
   f.slowest = *std::min_element(rates.begin(), rates.end());
   f.fastest = *std::max_element(rates.begin(), rates.end());
   f.contacts = static_cast<double>(steps.contacts() - contacts_before) / (particle_steps * rounds);
-  f.bytes = bytes_on_device(steps.spheres().candidates(), 2 * f.contacts, act_locally(fields));
+  f.bytes = bytes_on_device(target.precision, steps.spheres().candidates(), 2 * f.contacts, act_locally(fields));
   f.memory = static_cast<double>(steps.spheres().bytes()) / static_cast<double>(f.particles);
   return f;
 }
 
 void print_figures(const DeviceFigures& f) {
   fmt::print(
-      "{:<11} {:>9} particles {:>8.1f} M particle-steps/s ({:.1f} to {:.1f}), {:.4g} s for {} steps; {:.2f} contacts "
+      "{:<11} {:<6} {:>9} particles {:>8.1f} M particle-steps/s ({:.1f} to {:.1f}), {:.4g} s for {} steps; {:.2f} "
+      "contacts "
       "per particle; {:.0f} bytes per particle-step, {:.0f} % of copying ({:.0f} GB/s); {:.0f} bytes of memory per "
       "particle\n",
-      f.name, f.particles, 1e-6 * f.rate, 1e-6 * f.slowest, 1e-6 * f.fastest,
+      f.name, f.precision, f.particles, 1e-6 * f.rate, 1e-6 * f.slowest, 1e-6 * f.fastest,
       static_cast<double>(f.particles) * f.steps / f.rate, f.steps, f.contacts, f.bytes,
       100 * f.rate * f.bytes / f.copy_bandwidth, 1e-9 * f.copy_bandwidth, f.memory);
   std::fflush(stdout);
@@ -153,9 +168,9 @@ class Bed {
 
   std::int64_t particles(int tiles) const { return tiles * static_cast<std::int64_t>(one_.particles.size()); }
 
-  DeviceFigures measure(const opencl::Device& device, int tiles, int rounds) const {
+  DeviceFigures measure(const Target& target, int tiles, int rounds) const {
     const std::array<int, 3> n = repeats(tiles);
-    return measure_size(device, tiled(one_, n[0] * n[2], n[1]), fields_, *case_.simulation.time_step, rounds, 200);
+    return measure_size(target, tiled(one_, n[0] * n[2], n[1]), fields_, *case_.simulation.time_step, rounds, 200);
   }
 
  private:
@@ -170,22 +185,22 @@ class Vortex {
  public:
   std::int64_t particles(int periods) const { return periods * vortex_particles; }
 
-  DeviceFigures measure(const opencl::Device& device, int periods, int rounds) const {
+  DeviceFigures measure(const Target& target, int periods, int rounds) const {
     const Simulation start(vortex_case(periods), 1);
     const bool largest = periods == vortex_periods.back();
-    return measure_size(device, start.system(), start.fields(), start.clock().dt, largest ? 1 : rounds,
+    return measure_size(target, start.system(), start.fields(), start.clock().dt, largest ? 1 : rounds,
                         largest ? 10000 : 200);
   }
 };
 
 template <class Scene, std::size_t Count>
 std::vector<DeviceFigures> measure_sizes(const Scene& scene, const char* name, const std::array<int, Count>& sizes,
-                                         const opencl::Device& device, std::int64_t largest, int rounds) {
-  const double bandwidth = copy_bandwidth(device);
+                                         const Target& target, std::int64_t largest, int rounds) {
+  const double bandwidth = copy_bandwidth(target.device);
   std::vector<DeviceFigures> all;
   for (const int size : sizes) {
     if (scene.particles(size) > largest) break;
-    all.push_back(scene.measure(device, size, rounds));
+    all.push_back(scene.measure(target, size, rounds));
     all.back().name = name;
     all.back().copy_bandwidth = bandwidth;
     print_figures(all.back());
@@ -193,20 +208,25 @@ std::vector<DeviceFigures> measure_sizes(const Scene& scene, const char* name, c
   return all;
 }
 
-}  // namespace
-
-std::vector<DeviceFigures> measure_bed_on_device(const BenchScene& scene, const std::string& name, std::int64_t largest,
-                                                 int rounds) {
-  return measure_sizes(Bed(scene), "gpu-spheres", bed_tiles, opencl::Device(find_device(name)), largest, rounds);
+Target target_of(const BenchOptions& o) {
+  return {opencl::Device(find_device(o.device)), find_precision(o.precision, o.device)};
 }
 
-std::vector<DeviceFigures> measure_vortex_on_device(const std::string& name, std::int64_t largest, int rounds) {
-  return measure_sizes(Vortex(), "gpu-vortex", vortex_periods, opencl::Device(find_device(name)), largest, rounds);
+}  // namespace
+
+std::vector<DeviceFigures> measure_bed_on_device(const BenchScene& scene, const BenchOptions& o, std::int64_t largest,
+                                                 int rounds) {
+  return measure_sizes(Bed(scene), "gpu-spheres", bed_tiles, target_of(o), largest, rounds);
+}
+
+std::vector<DeviceFigures> measure_vortex_on_device(const BenchOptions& o, std::int64_t largest, int rounds) {
+  return measure_sizes(Vortex(), "gpu-vortex", vortex_periods, target_of(o), largest, rounds);
 }
 
 nlohmann::json device_json(const DeviceFigures& f) {
   return {{"benchmark", f.name},
           {"device", f.device},
+          {"precision", f.precision},
           {"steps", f.steps},
           {"particles", f.particles},
           {"particle_steps_per_second", f.rate},

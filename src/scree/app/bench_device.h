@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "scree/app/bench.h"
 #include "scree/app/bench_scene.h"
 
 namespace scree {
 
 /// One size of the bed on a device.
 struct DeviceFigures {
-  std::string name, device;
+  std::string name, device, precision;
   std::int64_t particles = 0;
   int steps = 0;                              // of a round
   double rate = 0, slowest = 0, fastest = 0;  // particle-steps per second: median, slowest and fastest round
@@ -22,13 +23,13 @@ struct DeviceFigures {
   double memory = 0;                          // of the device, per particle [bytes]
 };
 
-/// Measures the bed of `scene` in tiles side by side, up to `largest` particles, on the device that `name` names as
-/// --device does. Prints each size when it is done.
-std::vector<DeviceFigures> measure_bed_on_device(const BenchScene& scene, const std::string& name, std::int64_t largest,
-                                                 int rounds);
+/// Measures the bed of `scene` in tiles side by side, up to `largest` particles, on the device and in the
+/// precision of the options. Prints each size when it is done.
+std::vector<DeviceFigures> measure_bed_on_device(const BenchScene& scene, const BenchOptions& options,
+                                                 std::int64_t largest, int rounds);
 
 /// The same of cohesive spheres in a Taylor-Green vortex, the kind of case of the OpenCL report.
-std::vector<DeviceFigures> measure_vortex_on_device(const std::string& name, std::int64_t largest, int rounds);
+std::vector<DeviceFigures> measure_vortex_on_device(const BenchOptions& options, std::int64_t largest, int rounds);
 
 nlohmann::json device_json(const DeviceFigures& f);
 

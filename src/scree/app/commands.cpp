@@ -89,6 +89,8 @@ Command declare_run(CLI::App& app, const RanksOfRun& processes) {
   c->add_option(
       "--device", options->device,
       "where the steps are done: cpu, opencl (the first device that `scree info` lists), opencl:NUMBER [cpu]");
+  c->add_option("--precision", options->precision,
+                "on a device: double, with the bits of the CPU, or mixed, with contacts in single precision [double]");
   c->add_flag("--quiet", options->quiet, "print nothing but errors");
   c->add_flag("--plot", *plot, "draw series.png and particles.png at the end");
   return {"run", [=] {
@@ -112,11 +114,16 @@ Command declare_check(CLI::App& app) {
   c->add_option("-o,--output", *directory, "where the results would go [runs/NAME]");
   c->add_option("--device", *device,
                 "where the steps would be done, as in `scree run`; says whether that can do all of the case [cpu]");
+  auto precision = std::make_shared<std::string>("double");
+  c->add_option("--precision", *precision, "double or mixed, as in `scree run` [double]");
   return {"check", [=] {
             const Case loaded = load_case(arguments->file, arguments->set);
+            const Precision asked = find_precision(*precision, *device);
             if (*device != "cpu") {
               refuse_on_device(loaded);
-              print(fmt::format("{} can do the steps of this case\n\n", find_device(*device).name));
+              if (asked == Precision::mixed) refuse_in_mixed(loaded);
+              print(fmt::format("{} can do the steps of this case in {} precision\n\n", find_device(*device).name,
+                                *precision));
             }
             if (solves_flow(loaded) && !couples(loaded)) {
               print(fluid_report(loaded));
@@ -163,6 +170,7 @@ Command declare_bench(CLI::App& app, const RanksOfRun& processes) {
   c->add_option("--set", options->set, "change a key of the scenes: --set contact.detection=vertices (may be repeated)")
       ->allow_extra_args(false);
   c->add_option("--device", options->device, "gpu-spheres, gpu-vortex: opencl, opencl:NUMBER [opencl]");
+  c->add_option("--precision", options->precision, "gpu-spheres, gpu-vortex: double, mixed [double]");
   c->add_option("--json", options->json, "also write the figures to this file");
   c->add_option("--packings", options->packings, "directory of the particle tables [the user's cache]");
   c->add_option("--plot", options->plot, "linear: draw run time over particles into this PNG");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "scree/app/build_forces.h"
 #include "scree/base/error.h"
 #include "scree/input/located.h"
 #include "scree/particles/device/formula.h"
@@ -75,6 +76,38 @@ opencl::DeviceInfo find_device(const std::string& name, int place) {
   if (!all[number].fp64)
     throw InputError(fmt::format("--device {}: error[E190]: {} has no double precision", name, all[number].name));
   return all[number];
+}
+
+Precision find_precision(const std::string& name, const std::string& device) {
+  if (name == "double") return Precision::full;
+  if (name != "mixed") throw InputError(fmt::format("--precision {}: error[E190]: expected double or mixed", name));
+  if (device == "cpu")
+    throw InputError(
+        "--precision mixed: error[E190]: mixed precision is for devices, the CPU computes in double; name one with "
+        "--device");
+  return Precision::mixed;
+}
+
+void refuse_in_mixed(const Case& c, bool several) {
+  const auto lacks = [&](const std::string& key, const std::string& what) {
+    throw error_at(
+        c, key, {"E193", {}, what + " not there yet in mixed precision", "", "--precision double has it on a device"});
+  };
+  if (several) lacks("simulation.end", "runs of several processes are");
+  for (std::size_t k = 0; k < c.particles.size(); ++k)
+    if (c.particles[k].insert == "rate")
+      lacks(fmt::format("particles.{}.insert", k), "particles that come in while the run goes on are");
+  if (!c.outlets.empty()) lacks("outlets.0.type", "outlets are");
+  if (c.gravity.type != "none" && c.gravity.type != "uniform")
+    lacks("gravity.type", "body forces other than uniform gravity are");
+  if (solves_flow(c)) lacks("fluid.type", "flows that are solved for are");
+  if (c.flow.type == "expression") lacks("flow.type", "flows by formula are");
+  if (c.flow.buoyancy) lacks("flow.buoyancy", "buoyancy is");
+  if (c.flow.drag != "none" && c.flow.drag != "stokes" && c.flow.drag != "schiller_naumann")
+    lacks("flow.drag", "drag by shape is");
+  const FluidForces forces = build_forces(c.flow.drag, c.flow);
+  if (forces.push() || forces.turn() || c.flow.pressure_force)
+    lacks("flow.type", "forces of a flow besides the drag of spheres are");
 }
 
 void refuse_on_device(const Case& c, bool several) {

@@ -11,9 +11,10 @@ namespace scree {
 
 /// The device of a simulation, and the particles on it once they have been sent there.
 struct DeviceRun {
-  explicit DeviceRun(const opencl::DeviceInfo& info) : device(info) {}
+  DeviceRun(const opencl::DeviceInfo& info, Precision p) : device(info), precision(p) {}
 
   opencl::Device device;
+  Precision precision;
   std::optional<DeviceSpheres> spheres;
 };
 
@@ -22,8 +23,15 @@ struct DeviceRun {
 /// InputError if there is none of that name, with what was tried.
 opencl::DeviceInfo find_device(const std::string& name, int place = 0);
 
+/// The precision that `--precision` names beside that `--device`: "double" or "mixed". Throws InputError for any other
+/// name, and for mixed precision on the CPU.
+Precision find_precision(const std::string& name, const std::string& device);
+
 /// Throws InputError at the key of the first thing in the case that runs on the CPU only so far, or, if `several` ranks
 /// share it, in one process.
 void refuse_on_device(const Case& c, bool several = false);
+
+/// Throws InputError at the key of the first thing that devices have in double precision only.
+void refuse_in_mixed(const Case& c, bool several = false);
 
 }  // namespace scree

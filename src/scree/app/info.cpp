@@ -28,7 +28,8 @@ void list_devices(const std::function<void(const std::string&, const std::string
   for (std::size_t k = 0; k < all.size(); ++k)
     line(fmt::format("device opencl:{}", k),
          fmt::format("{}, {:.1f} GiB{}; {}, driver {}", all[k].name, all[k].memory / gibibyte,
-                     all[k].fp64 ? "" : ", no double precision", all[k].platform, all[k].driver));
+                     all[k].fp64 ? ", double or mixed precision" : ", no double precision", all[k].platform,
+                     all[k].driver));
   if (!all.empty()) return;
   for (const std::string& tried : opencl::library().tried) line("no OpenCL", tried);
 }

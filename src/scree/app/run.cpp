@@ -59,6 +59,8 @@ void fill_summary(const RunLoop& run, Summary& s) {
   s.sharing = sim.sharing();
   s.sweeps = sweeps_of(sim.sweeps());
   s.threads = sim.threads();
+  s.device = sim.device_name();
+  s.precision = sim.precision_name();
   s.ledger = ledger_of(run.outputs);
   s.state_hash = sim.state_hash();
   if (const FluidCoupling* coupling = sim.coupling()) {
@@ -153,9 +155,10 @@ void run_to_stop(RunLoop& run, const RunOptions& options, const InterruptGuard& 
 }
 
 /// The device of the run; none on the CPU.
-std::optional<opencl::DeviceInfo> device_of(const Case& c, const RunOptions& options) {
+std::optional<opencl::DeviceInfo> device_of(const Case& c, const RunOptions& options, Precision precision) {
   if (options.device == "cpu") return {};
   refuse_on_device(c, !options.ranks.alone());
+  if (precision == Precision::mixed) refuse_in_mixed(c, !options.ranks.alone());
   return find_device(options.device, options.processors.place);
 }
 
@@ -200,7 +203,8 @@ RunResult follow(Simulation& simulation) {
 }  // namespace
 
 RunResult run_case(const Case& c, const RunOptions& options) {
-  const auto device = device_of(c, options);
+  const Precision precision = find_precision(options.precision, options.device);
+  const auto device = device_of(c, options, precision);
   if (solves_flow(c) && !couples(c)) return run_fluid(c, options);
   if (couples(c)) expect_flow_solver(c);
   const auto begin = WallClock::now();
@@ -217,7 +221,7 @@ RunResult run_case(const Case& c, const RunOptions& options) {
   if (!options.quiet && options.ranks.root()) watch = InsertionProgress(detect_progress(stderr));
   Simulation simulation(c, threads, beginning.archive ? &*beginning.archive : nullptr, options.ranks, watch);
   if (beginning.archive) simulation.restore(*beginning.archive);
-  if (device) simulation.use_device(*device);
+  if (device) simulation.use_device(*device, precision);
   // The root writes into the directory when all have read what is there.
   options.ranks.all(true);
   if (!options.ranks.root()) return follow(simulation);

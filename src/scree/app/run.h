@@ -22,6 +22,7 @@ struct RunOptions {
   Ranks ranks;                                 // that share the run
   Processors processors = processors_alone();  // of this rank
   std::string device = "cpu";                  // cpu, opencl, opencl:NUMBER
+  std::string precision = "double";            // on a device: double, mixed
   std::string restart;                         // checkpoint file, run directory or "latest" to continue from
 };
 

@@ -29,6 +29,7 @@
 #include "scree/mpi/ranks.h"
 #include "scree/output/archive.h"
 #include "scree/output/frames.h"
+#include "scree/particles/device/precision.h"
 #include "scree/particles/hard/step.h"
 #include "scree/particles/heat.h"
 #include "scree/particles/sample.h"
@@ -106,7 +107,13 @@ class Simulation {
 
   /// Steps from now on are done on a device. Throws InputError if the case has something that is not there yet on
   /// devices, ResourceError if the device cannot be used.
-  void use_device(const opencl::DeviceInfo& info);
+  void use_device(const opencl::DeviceInfo& info, Precision precision = Precision::full);
+
+  /// Of the device that does the steps; "cpu" without one.
+  std::string device_name() const;
+
+  /// "double", or "mixed" on a device that was told so.
+  std::string precision_name() const;
 
   /// Advances by one time step. Throws PhysicsError when the physics has gone wrong.
   void step();

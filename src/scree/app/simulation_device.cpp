@@ -10,9 +10,16 @@ namespace scree {
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
-void Simulation::use_device(const opencl::DeviceInfo& info) {
+void Simulation::use_device(const opencl::DeviceInfo& info, Precision precision) {
   refuse_on_device(case_);
-  device_ = std::make_unique<DeviceRun>(info);
+  if (precision == Precision::mixed) refuse_in_mixed(case_);
+  device_ = std::make_unique<DeviceRun>(info, precision);
+}
+
+std::string Simulation::device_name() const { return device_ ? device_->device.info().name : "cpu"; }
+
+std::string Simulation::precision_name() const {
+  return device_ && device_->precision == Precision::mixed ? "mixed" : "double";
 }
 
 bool Simulation::is_on_device() const { return device_ && device_->spheres; }
@@ -36,7 +43,8 @@ void Simulation::send_to_device() {
     refresh_neighbours();
     update_ghosts(system_, lists_);
   }
-  device_->spheres.emplace(device_->device, system_, lists_, fields_on_device(), case_.simulation.max_overlap);
+  device_->spheres.emplace(device_->device, device_->precision, system_, lists_, fields_on_device(),
+                           case_.simulation.max_overlap);
 }
 
 /// Those who may come or go, with their neighbours, are dealt with by the host.

@@ -46,6 +46,8 @@ std::string summary_text(const Summary& s) {
                {"wall_contacts", s.wall_contacts},
                {"ranks", s.ranks},
                {"threads", s.threads},
+               {"device", s.device},
+               {"precision", s.precision},
                {"sharing", table(s.sharing)},
                {"sweeps", table(s.sweeps)},
                {"ledger", table(s.ledger)},

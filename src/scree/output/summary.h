@@ -31,6 +31,7 @@ struct Summary {
   std::uint64_t wall_contacts = 0;                      // of these with walls
   std::uint64_t cells = 0;                              // of the fluid; 0 without one, and then not written
   int ranks = 1, threads = 1;                           // processes; threads of the root
+  std::string device = "cpu", precision = "double";     // where the steps of particles were done, and how
   std::vector<std::pair<std::string, double>> sharing;  // how several ranks shared the steps
   std::vector<std::pair<std::string, double>> sweeps;   // of hard collisions
   std::vector<std::pair<std::string, double>> ledger;   // the last books, names as in series.csv

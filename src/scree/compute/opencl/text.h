@@ -1,8 +1,11 @@
-// The kernels of devices with all that they include, as one text: src/scree/kernels/opencl/*.cl.
+// The kernels of devices with all that they include: src/scree/kernels/opencl/*.cl.
 #pragma once
 
 namespace scree::opencl {
 
 extern const char* const kernel_text;
+// Mixed precision is these around it: contacts in single precision before, its own kernels behind.
+extern const char* const single_text;
+extern const char* const mixed_text;
 
 }  // namespace scree::opencl

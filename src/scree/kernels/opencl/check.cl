@@ -1,4 +1,4 @@
-// What a device run begins with: the same numbers as the host's, from the chosen laws, layouts and sums.
+// What a device run begins with: structs are laid out as on the host.
 #include "scree/kernels/opencl/parameters.h"
 
 /// Sizes of what the host passes and reads.
@@ -6,21 +6,8 @@ __kernel void sc_sizes(__global int* out) {
   if (get_global_id(0) != 0) return;
   out[0] = (int)sizeof(sc_device_step);
   out[1] = (int)sizeof(sc_findings);
-  out[2] = (int)sizeof(sc_pair_law);
-  out[3] = (int)sizeof(sc_wall);
-  out[4] = (int)sizeof(sc_wall_pose);
-  out[5] = (int)sizeof(sc_touch);
-  out[6] = (int)sizeof(sc_contact_state);
-  out[7] = (int)sizeof(sc_contact_result);
-  out[8] = (int)sizeof(sc_field);
-  out[9] = (int)sizeof(sc_flow_shape);
-}
-
-/// The chosen law for given contacts.
-__kernel void sc_try_law(const int n, const sc_contact_time time, __global const sc_pair_law* law,
-                         __global const sc_touch* touch, __global const sc_contact_state* state,
-                         __global sc_contact_result* out) {
-  const sc_laws chosen = SC_CHOSEN_LAWS;
-  const size_t i = get_global_id(0);
-  if (i < (size_t)n) out[i] = sc_contact_act(chosen, law[0], touch[i], time, state[i]);
+  out[2] = (int)sizeof(sc_wall);
+  out[3] = (int)sizeof(sc_wall_pose);
+  out[4] = (int)sizeof(sc_field);
+  out[5] = (int)sizeof(sc_flow_shape);
 }

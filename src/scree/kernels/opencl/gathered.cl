@@ -1,21 +1,11 @@
 // What a particle on a device reads, gathers from its contacts, and finds; and what a contact remembers.
 #include "scree/kernels/opencl/parameters.h"
 #include "scree/physics/contact/law.h"
-#include "scree/physics/touch/sphere_sphere.h"
-
-typedef double4 real4;
 
 // SC_GROUP, the items of a group, and the chosen laws are given by the host.
 #define SC_CHOSEN_LAWS \
   { SC_CHOSEN_NORMAL, SC_CHOSEN_TANGENTIAL, SC_CHOSEN_ROLLING, SC_CHOSEN_TWISTING, SC_CHOSEN_COHESION }
 #define SC_ROLLS (SC_CHOSEN_ROLLING != SC_ROLLING_NONE || SC_CHOSEN_TWISTING != SC_TWISTING_NONE)
-
-// SC_SEVERAL_RANKS: some of the particles are copies of those of other ranks, which move them.
-#if SC_SEVERAL_RANKS
-#define SC_IS_GHOST(ghost, i) ((ghost)[i] != 0)
-#else
-#define SC_IS_GHOST(ghost, i) 0
-#endif
 
 /// What a particle has gathered.
 typedef struct {
@@ -33,12 +23,21 @@ typedef struct {
 
 /// A particle as it was read.
 typedef struct {
-  real4 place, speed, rim;  // rows of Particles: x y z radius | vx vy vz inverse_mass | radius * w, inverse_radius
+  sc_place place;    // x y z radius
+  real4 speed, rim;  // rows of Particles: vx vy vz inverse_mass | radius * w, inverse_radius
   real excess;
   int material;
 } sc_row;
 
 SC_FN sc_vec sc_first(real4 a) { return sc_make_vec(a.x, a.y, a.z); }
+
+SC_FN sc_found sc_nothing_found(void) {
+  sc_found f;
+  f.fastest_square = f.deepest = R(0);
+  f.contacts = f.wall_contacts = f.impacts = f.unsound = f.outside = f.stale = 0;
+  f.impact_speed = 0;
+  return f;
+}
 
 SC_FN sc_gathered sc_nothing_gathered(void) {
   sc_gathered g;

@@ -36,7 +36,7 @@ __kernel void sc_find_partners(const sc_box box, const sc_cells cells, const sc_
   const size_t i = get_global_id(0);
   const size_t n = (size_t)sizes.particles;
   if (i >= n) return;
-  if (SC_IS_GHOST(ghost, i)) {
+  if (sc_is_ghost(ghost, i)) {
     counts[i] = 0;
     return;
   }
@@ -80,7 +80,7 @@ __kernel void sc_find_faces(const sc_counts sizes, const real skin, __global con
   if (i >= n) return;
   const double4 own = motion[2 * i];
   const real reach = own.w + excess[i] + skin;
-  const int all = motion[2 * i + 1].w > R(0) && !SC_IS_GHOST(ghost, i) ? sizes.faces : 0;
+  const int all = motion[2 * i + 1].w > R(0) && !sc_is_ghost(ghost, i) ? sizes.faces : 0;
   int count = 0;
   for (int face = 0; face < all; ++face) {
     const sc_wall wall = faces[face];
@@ -90,58 +90,6 @@ __kernel void sc_find_faces(const sc_counts sizes, const real skin, __global con
   }
   counts[i] = count < sizes.room ? count : sizes.room;
   atomic_max(most, count);
-}
-
-/// Gives the contacts that act their memory from the lists of before; `order` says where each particle was, `place` where
-/// each has gone, -1 if he is here no more; who has come has had no place among the `n_before`. Faces keep their numbers. A
-/// contact that is on no list any more is noted in `lost`.
-__kernel void sc_carry_over(const int n, const int n_before, const int of_faces, __global const int* order,
-                            __global const int* place, __global const int* ghost, __global const int* old_counts,
-                            __global const uint* old_entries,
-                            __global const double4* old_slides, __global const double4* old_rolls, __global const int* counts,
-                            __global uint* entries, __global double4* slides, __global double4* rolls, __global int* lost) {
-  const size_t i = get_global_id(0);
-  if (i >= (size_t)n) return;
-  const size_t was = (size_t)order[i];
-  if (was >= (size_t)n_before || SC_IS_GHOST(ghost, i)) return;
-  for (int k = 0; k < old_counts[was]; ++k) {
-    const size_t from = (size_t)k * (size_t)n_before + was;
-    const uint entry = old_entries[from];
-    if (entry >> SC_CODE_SHIFT == 0u) continue;
-    if (!of_faces && place[entry & SC_PARTNER] < 0) continue;
-    const uint partner = of_faces ? entry & SC_PARTNER : (uint)place[entry & SC_PARTNER];
-    int to = 0;
-    while (to < counts[i] && (entries[(size_t)to * (size_t)n + i] & SC_PARTNER) != partner) ++to;
-    if (to == counts[i]) {
-      atomic_inc(lost);
-      continue;
-    }
-    const size_t slot = (size_t)to * (size_t)n + i;
-    entries[slot] = partner | (entry & ~SC_PARTNER);
-    slides[slot] = old_slides[from];
-    if (SC_ROLLS) rolls[slot] = old_rolls[from];
-  }
-}
-
-/// Puts what contacts remember that have come with particles from elsewhere, `count` of them, into the lists of the particle
-/// in each row; `partner` is the id of the other, or the face.
-__kernel void sc_put_memory(const int count, const int of_faces, const int n, __global const int* rows,
-                            __global const long* partner, __global const uint* code, __global const double4* slide,
-                            __global const double4* roll, __global const long* id, __global const int* counts,
-                            __global uint* entries, __global double4* slides, __global double4* rolls, __global int* lost) {
-  const size_t c = get_global_id(0);
-  if (c >= (size_t)count) return;
-  const size_t row = (size_t)rows[c];
-  for (int k = 0; k < counts[row]; ++k) {
-    const size_t slot = (size_t)k * (size_t)n + row;
-    const uint other = entries[slot] & SC_PARTNER;
-    if (partner[c] != (of_faces ? (long)other : id[other])) continue;
-    entries[slot] = other | code[c] << SC_CODE_SHIFT;
-    slides[slot] = slide[c];
-    if (SC_ROLLS) rolls[slot] = roll[c];
-    return;
-  }
-  atomic_inc(lost);
 }
 
 /// Copies the lists of some particles, named by `rows`, into lists of these alone.

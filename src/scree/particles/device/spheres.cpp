@@ -17,14 +17,22 @@ constexpr int first_face_room = 3;  // the same of faces
 
 static_assert(SC_SPEED_QUANTUM == speed_quantum);
 
-/// The laws and the fields are constants of the kernels, so that the choice folds away.
+/// The laws and the fields are constants of the kernels, so that the choice folds away. Names of single precision begin
+/// with SF.
 std::string options_for(const sc_laws& laws, const Fields& fields, bool coupled, std::size_t group,
                         bool several_ranks) {
-  return fmt::format(
-             "-cl-std=CL1.2 -DSC_GROUP={} -DSC_SEVERAL_RANKS={:d} -DSC_CHOSEN_NORMAL={} -DSC_CHOSEN_TANGENTIAL={} "
-             "-DSC_CHOSEN_ROLLING={} -DSC_CHOSEN_TWISTING={} -DSC_CHOSEN_COHESION={}",
-             group, several_ranks, laws.normal, laws.tangential, laws.rolling, laws.twisting, laws.cohesion) +
-         DeviceFields::options(fields, coupled);
+  std::string options = fmt::format("-cl-std=CL1.2 -DSC_SEVERAL_RANKS={:d}", several_ranks);
+  for (const char* prefix : {"SC", "SF"})
+    options += fmt::format(
+        " -D{0}_GROUP={1} -D{0}_CHOSEN_NORMAL={2} -D{0}_CHOSEN_TANGENTIAL={3} -D{0}_CHOSEN_ROLLING={4} "
+        "-D{0}_CHOSEN_TWISTING={5} -D{0}_CHOSEN_COHESION={6}",
+        prefix, group, laws.normal, laws.tangential, laws.rolling, laws.twisting, laws.cohesion);
+  return options + DeviceFields::options(fields, coupled);
+}
+
+std::string text_for(Precision precision, const Fields& fields) {
+  const std::string text = DeviceFields::formulas(fields) + opencl::kernel_text;
+  return precision == Precision::full ? text : opencl::single_text + text + opencl::mixed_text;
 }
 
 sc_box box_of(const Domain& domain) {
@@ -40,10 +48,10 @@ sc_box box_of(const Domain& domain) {
 
 }  // namespace
 
-DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem& s, const ContactLists& lists,
-                             const Fields& fields, double max_overlap)
+DeviceSpheres::DeviceSpheres(const opencl::Device& device, Precision precision, const ParticleSystem& s,
+                             const ContactLists& lists, const Fields& fields, double max_overlap)
     : device_(device),
-      program_(device, DeviceFields::formulas(fields) + opencl::kernel_text,
+      program_(device, text_for(precision, fields),
                options_for(s.laws, fields, s.particles.coupled(), group, !lists.ranks.alone())),
       fields_(device, fields, s.particles),
       laws_of_run_(s.laws),
@@ -62,13 +70,15 @@ DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem&
   constants_.max_overlap = max_overlap;
   wraps_ = s.domain.periodic;
   laws_ = opencl::sent(device_, s.materials.law);
+  const bool single = precision == Precision::mixed;
+  if (single) mixed_.emplace(device_, s, range_ + 2 * std::max(skin_, longest_skin_));
   check_kernels();
   if (!lists.ranks.alone()) join(s, lists);
   send_particles(s.particles);
   send_walls(s);
   send_contacts(s);
-  fresh_ = make_room(n_, first_room);
-  fresh_face_lists_ = make_room(n_, faces_ > 0 ? std::min(static_cast<int>(faces_), first_face_room) : 0);
+  fresh_ = make_room(n_, first_room, single);
+  fresh_face_lists_ = make_room(n_, faces_ > 0 ? std::min(static_cast<int>(faces_), first_face_room) : 0, false);
 }
 
 std::size_t DeviceSpheres::groups() const { return (n_ + group - 1) / group; }
@@ -77,14 +87,27 @@ sc_counts DeviceSpheres::counts() const {
   return {static_cast<int>(n_), lists_.room, materials_, static_cast<int>(faces_), static_cast<int>(walls_), 0};
 }
 
-DeviceSpheres::Lists DeviceSpheres::make_room(std::size_t particles, int room) const {
+DeviceSpheres::Lists DeviceSpheres::make_room(std::size_t particles, int room, bool single) const {
   const std::size_t slots = particles * static_cast<std::size_t>(room);
+  const std::size_t memory = slots * 4 * (single ? sizeof(float) : sizeof(double));
   return {particles,
           room,
+          single,
           {device_, particles * sizeof(std::int32_t)},
           {device_, slots * sizeof(std::uint32_t)},
-          {device_, slots * 4 * sizeof(double)},
-          {device_, rolls_ ? slots * 4 * sizeof(double) : 0}};
+          {device_, memory},
+          {device_, rolls_ ? memory : 0}};
+}
+
+std::optional<MemoryUnits> DeviceSpheres::slide_units(const Lists& lists) const {
+  if (!lists.single) return {};
+  return mixed_->slide_units();
+}
+
+/// Angles have none.
+std::optional<MemoryUnits> DeviceSpheres::roll_units(const Lists& lists) const {
+  if (!lists.single) return {};
+  return MemoryUnits{};
 }
 
 void DeviceSpheres::send_particles(const Particles& particles) {
@@ -104,6 +127,7 @@ void DeviceSpheres::send_particles(const Particles& particles) {
     column(name).write(values.values.data(), n_ * row_bytes_.at(name));
   });
   if (borders_) put_words(borders_->ghosts, 1, columns_.at(ghost_column));
+  if (mixed_) mixed_->take(program_, now_, column("motion"), column("spin"), column("effect_excess"));
   stale_ = opencl::DeviceBuffer(device_, (most_given + 1) * sizeof(std::int32_t));
   counters_ = opencl::DeviceBuffer(device_, 2 * sizeof(std::int32_t));
 }
@@ -127,7 +151,7 @@ void DeviceSpheres::send_contacts(const ParticleSystem& s) {
     sides.push_back({static_cast<std::size_t>(a), entry(b, c.active[k]), slide, roll, 1});
     sides.push_back({static_cast<std::size_t>(b), entry(a, c.active[k]), slide, roll, -1});
   }
-  lists_ = sent_sides(sides);
+  lists_ = sent_sides(sides, mixed_.has_value());
   sides.clear();
   const WallContacts& w = s.wall_contacts;
   for (std::size_t p = 0; p + 1 < w.first.size(); ++p)
@@ -135,13 +159,13 @@ void DeviceSpheres::send_contacts(const ParticleSystem& s) {
       if (w.active[k])
         sides.push_back({p, entry(w.wall[k], w.active[k]), &w.slide[4 * std::size_t(k)],
                          rolls_ ? &w.roll[4 * std::size_t(k)] : nullptr, 1});
-  face_lists_ = sent_sides(sides);
+  face_lists_ = sent_sides(sides, false);
 }
 
-DeviceSpheres::Lists DeviceSpheres::sent_sides(const std::vector<Side>& sides) const {
+DeviceSpheres::Lists DeviceSpheres::sent_sides(const std::vector<Side>& sides, bool single) const {
   std::vector<std::int32_t> count(n_);
   for (const Side& side : sides) ++count[side.particle];
-  Lists lists = make_room(n_, n_ ? *std::max_element(count.begin(), count.end()) : 0);
+  Lists lists = make_room(n_, n_ ? *std::max_element(count.begin(), count.end()) : 0, single);
   const std::size_t slots = n_ * static_cast<std::size_t>(lists.room);
   std::vector<std::uint32_t> entries(slots);
   std::vector<double> slides(4 * slots), rolls(rolls_ ? 4 * slots : 0);
@@ -154,8 +178,8 @@ DeviceSpheres::Lists DeviceSpheres::sent_sides(const std::vector<Side>& sides) c
   }
   lists.counts.write(count.data(), n_ * sizeof(std::int32_t));
   lists.entries.write(entries.data(), slots * sizeof(std::uint32_t));
-  lists.slides.write(slides.data(), slides.size() * sizeof(double));
-  lists.rolls.write(rolls.data(), rolls.size() * sizeof(double));
+  write_memory(lists.slides, slides, slide_units(lists));
+  write_memory(lists.rolls, rolls, roll_units(lists));
   return lists;
 }
 
@@ -195,15 +219,25 @@ void DeviceSpheres::launch(const Given& given, int number) {
   constants_.book_gravity =
       constants_.box.period[0] + constants_.box.period[1] + constants_.box.period[2] == 0 && sc_dot(g, g) > 0;
   const int from = (now_ + number) % 2, to = 1 - from;
+  const auto pass = [&](const char* kernel, const auto&... state) {
+    program_.run(kernel, n_, group, constants_, number, stale_, state..., laws_, lists_.counts, lists_.entries,
+                 lists_.slides, lists_.rolls, wall_faces_, wall_poses_, face_lists_.counts, face_lists_.entries,
+                 face_lists_.slides, face_lists_.rolls, gaps_, corners_, columns_.at("image"), fields_.found(),
+                 column_or_none("stream"), column_or_none("pull"), column_or_none("before"), columns_.at("loss"),
+                 columns_.at("work"), columns_.at("impulse"), columns_.at("angular_impulse"),
+                 column_or_none("drag_impulse"), found_);
+  };
+  const opencl::DeviceBuffer& material = columns_.at("material");
+  if (mixed_) {
+    const MixedState& m = *mixed_;
+    pass("sc_pass_mixed", m.space, m.near[from], m.speed[from], m.spin[from], m.near[to], m.speed[to], m.spin[to],
+         m.rest_places, m.rest_speeds, m.rest_spins, m.excess_of, material, m.listed, m.laws);
+    return;
+  }
   meet_fields(number, from);
   if (borders_) share_lost(number);
-  program_.run("sc_pass", n_, group, constants_, number, stale_, fields_.lost(), motion_[from], spin_[from],
-               motion_[to], spin_[to], columns_.at("effect_excess"), columns_.at("material"), ghost_flags(),
-               columns_.at("id"), listed_, laws_, lists_.counts, lists_.entries, lists_.slides, lists_.rolls,
-               wall_faces_, wall_poses_, face_lists_.counts, face_lists_.entries, face_lists_.slides, face_lists_.rolls,
-               gaps_, corners_, columns_.at("image"), fields_.found(), column_or_none("stream"), column_or_none("pull"),
-               column_or_none("before"), columns_.at("loss"), columns_.at("work"), columns_.at("impulse"),
-               columns_.at("angular_impulse"), column_or_none("drag_impulse"), found_);
+  pass("sc_pass", fields_.lost(), motion_[from], spin_[from], motion_[to], spin_[to], columns_.at("effect_excess"),
+       material, ghost_flags(), columns_.at("id"), listed_);
 }
 
 /// What the steps have found since the last time.
@@ -285,7 +319,7 @@ double DeviceSpheres::candidates() const {
 }
 
 std::size_t DeviceSpheres::bytes() const {
-  std::size_t sum = fields_.bytes();
+  std::size_t sum = fields_.bytes() + (mixed_ ? mixed_->bytes() : 0);
   for (const auto& [name, column] : columns_) sum += column.bytes();
   for (const opencl::DeviceBuffer* b :
        {&motion_[0], &motion_[1], &spin_[0], &spin_[1], &listed_, &wall_faces_, &wall_poses_, &gaps_, &corners_,

@@ -14,6 +14,8 @@
 #include "scree/kernels/opencl/parameters.h"
 #include "scree/particles/device/borders.h"
 #include "scree/particles/device/fields.h"
+#include "scree/particles/device/mixed_state.h"
+#include "scree/particles/device/precision.h"
 #include "scree/particles/reach.h"
 #include "scree/particles/system.h"
 
@@ -42,15 +44,15 @@ struct PartOfDevice {
   std::vector<std::int32_t> rows;  // where each stands on the device
 };
 
-/// The engine of a system of spheres on a device. It gives the same bits as the CPU's: the physics is the same text,
-/// and sums go in the order of ids.
+/// The engine of a system of spheres on a device. In full precision it gives the same bits as the CPU's: the physics is
+/// the same text, and sums go in the order of ids.
 class DeviceSpheres {
  public:
   /// Compiles the kernels for the laws of the system, checks them against the host's numbers and sends the system's
   /// particles and contacts to the device. `max_overlap` stops the run. Of several ranks each has a device; copies of
   /// others' particles must be there, and all ranks call all members alike. Throws ResourceError.
-  DeviceSpheres(const opencl::Device& device, const ParticleSystem& system, const ContactLists& lists,
-                const Fields& fields, double max_overlap);
+  DeviceSpheres(const opencl::Device& device, Precision precision, const ParticleSystem& system,
+                const ContactLists& lists, const Fields& fields, double max_overlap);
 
   /// Gives a step to the device that begins at the time `now` [s]; it is done later.
   void step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls, double now);
@@ -63,7 +65,7 @@ class DeviceSpheres {
 
   /// Brings particles, in the order of their ids, copies of others' particles after them, and contacts that act back to
   /// the system. All steps must be settled.
-  void bring_back(ParticleSystem& system) const;
+  void bring_back(ParticleSystem& system);
 
   /// Who is in one of the regions, or reaches into it with his effect surface, with the partners of their contacts.
   /// All steps must be settled.
@@ -96,7 +98,8 @@ class DeviceSpheres {
 
   struct Lists {
     std::size_t particles = 0;
-    int room = 0;  // for contacts of each
+    int room = 0;         // for contacts of each
+    bool single = false;  // what contacts remember is in single precision, in the units of the run
     opencl::DeviceBuffer counts, entries, slides, rolls;
 
     std::size_t bytes() const { return counts.bytes() + entries.bytes() + slides.bytes() + rolls.bytes(); }
@@ -127,18 +130,24 @@ class DeviceSpheres {
   static constexpr std::string_view ghost_column = "ghost";  // 1 of copies of others' particles
 
   void check_kernels();
+  void check_sizes(const char* kernel, const std::vector<int>& expected);
   void check_sums();
   void check_law();
+  void check_single_law();
+  std::vector<std::array<double, 16>> single_results(const sc_contact_time& time, const std::vector<float>& touches,
+                                                     const std::vector<float>& states);
   void send_particles(const Particles& particles);
   void send_contacts(const ParticleSystem& system);
   void send_walls(const ParticleSystem& system);
   void send_poses();
-  Lists sent_sides(const std::vector<Side>& sides) const;
+  Lists sent_sides(const std::vector<Side>& sides, bool single) const;
+  std::optional<MemoryUnits> slide_units(const Lists& lists) const;
+  std::optional<MemoryUnits> roll_units(const Lists& lists) const;
   template <class Visit>
   void for_each_acting(const Lists& lists, Visit&& visit) const;
   template <class IdOf>
   Luggage remembered(const Lists& pairs, const Lists& faces, const std::vector<std::int64_t>& id, IdOf&& id_of) const;
-  Lists make_room(std::size_t particles, int room) const;
+  Lists make_room(std::size_t particles, int room, bool single) const;
   void reserve(std::size_t rows);
   opencl::DeviceBuffer& column(std::string_view name);
   const opencl::DeviceBuffer& column(std::string_view name) const;
@@ -175,6 +184,8 @@ class DeviceSpheres {
   void make_lists();
   void sort_particles();
   void permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t count);
+  void permute_state(std::size_t count);
+  void note_places();
   void scan(opencl::DeviceBuffer& values, int count);
   template <class Search>
   void search_into(Lists& lists, Search&& search);
@@ -212,8 +223,10 @@ class DeviceSpheres {
   bool adapts_;
   std::map<std::string_view, opencl::DeviceBuffer> columns_;  // of Particles, by name, motion and spin left out
   std::map<std::string_view, std::size_t> row_bytes_;
-  opencl::DeviceBuffer motion_[2], spin_[2];  // the present state, and the next
-  int now_ = 0;                               // which of them is the present one
+  // The present state, and the next. In mixed precision only the first of each, for lists and hosts.
+  opencl::DeviceBuffer motion_[2], spin_[2];
+  std::optional<MixedState> mixed_;
+  int now_ = 0;  // which of them is the present one
   opencl::DeviceBuffer listed_, laws_;
   opencl::DeviceBuffer wall_faces_, wall_poses_;  // poses: of all walls, step by step
   opencl::DeviceBuffer gaps_, corners_;           // of the listed faces, in the present step

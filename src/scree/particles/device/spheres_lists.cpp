@@ -53,9 +53,26 @@ void DeviceSpheres::permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, s
   rows.copy_from(scratch_, count * row_bytes);
 }
 
+/// Puts the state of the first `count` in order.
+void DeviceSpheres::permute_state(std::size_t count) {
+  if (mixed_) {
+    for (const char* name : {"motion", "spin"}) permute(column(name), row_bytes_.at(name), count);
+    mixed_->for_each_row(now_, [&](opencl::DeviceBuffer& rows, std::size_t bytes) { permute(rows, bytes, count); });
+    return;
+  }
+  // The state of the next step is free to take the rows in their new order.
+  for (const auto& [name, both] : {std::pair("motion", motion_), std::pair("spin", spin_)}) {
+    const std::size_t words = row_bytes_.at(name) / sizeof(std::uint32_t);
+    program_.run("sc_take_rows", count * words, group, static_cast<int>(count), static_cast<int>(words), order_,
+                 both[now_], both[1 - now_]);
+  }
+  now_ = 1 - now_;
+}
+
 /// Puts those who are there from now on in the order of their cells; those who are gone get no place.
 void DeviceSpheres::sort_particles() {
   fit_cells();
+  if (mixed_) mixed_->give(program_, now_, column("motion"), column("spin"));
   const std::size_t held = n_ + come_, stay = held - gone_count_;
   const int n = static_cast<int>(held), cells = cells_.count[0] * cells_.count[1] * cells_.count[2];
   const std::size_t bytes = (static_cast<std::size_t>(cells) + 1) * sizeof(std::int32_t);
@@ -64,20 +81,14 @@ void DeviceSpheres::sort_particles() {
     cursor_ = opencl::DeviceBuffer(device_, bytes);
   }
   cell_first_.clear();
-  program_.run("sc_count_cells", held, group, cells_, n, motion_[now_], gone_, cell_of_, cell_first_, place_);
+  program_.run("sc_count_cells", held, group, cells_, n, column("motion"), gone_, cell_of_, cell_first_, place_);
   scan(cell_first_, cells + 1);
   cursor_.copy_from(cell_first_, bytes);
   program_.run("sc_scatter", held, group, n, cell_of_, cursor_, order_);
   program_.run("sc_sort_cells", static_cast<std::size_t>(cells), group, cells, cell_first_, columns_.at("id"), order_);
   const int staying = static_cast<int>(stay);
   program_.run("sc_invert", stay, group, staying, order_, place_);
-  // The state of the next step is free to take the rows in their new order.
-  for (const auto& [name, both] : {std::pair("motion", motion_), std::pair("spin", spin_)}) {
-    const std::size_t words = row_bytes_.at(name) / sizeof(std::uint32_t);
-    program_.run("sc_take_rows", stay * words, group, staying, static_cast<int>(words), order_, both[now_],
-                 both[1 - now_]);
-  }
-  now_ = 1 - now_;
+  permute_state(stay);
   for (auto& [name, column] : columns_) permute(column, row_bytes_.at(name), stay);
   if (gone_count_ > 0) gone_.clear();
   n_ = stay;
@@ -99,19 +110,19 @@ void DeviceSpheres::search_into(Lists& lists, Search&& search) {
   const int none[2] = {0, 0};
   for (;;) {
     counters_.write(none, sizeof none);
-    if (lists.particles != n_) lists = make_room(n_, lists.room);
+    if (lists.particles != n_) lists = make_room(n_, lists.room, lists.single);
     sc_counts sizes = counts();
     sizes.room = lists.room;
     search(sizes);
     const int most = counters_.values<std::int32_t>(1)[0];
     if (most <= lists.room) return;
-    lists = make_room(n_, most + most / 8 + 1);
+    lists = make_room(n_, most + most / 8 + 1, lists.single);
   }
 }
 
 void DeviceSpheres::find_partners() {
   search_into(fresh_, [&](const sc_counts& sizes) {
-    program_.run("sc_find_partners", n_, group, constants_.box, cells_, sizes, skin_ + beyond_, motion_[now_],
+    program_.run("sc_find_partners", n_, group, constants_.box, cells_, sizes, skin_ + beyond_, column("motion"),
                  columns_.at("effect_excess"), columns_.at("id"), ghost_flags(), cell_first_, fresh_.counts,
                  fresh_.entries, counters_);
   });
@@ -120,7 +131,7 @@ void DeviceSpheres::find_partners() {
 void DeviceSpheres::find_faces() {
   Lists& to = fresh_face_lists_;
   search_into(to, [&](const sc_counts& sizes) {
-    program_.run("sc_find_faces", n_, group, sizes, skin_ + beyond_, motion_[now_], columns_.at("effect_excess"),
+    program_.run("sc_find_faces", n_, group, sizes, skin_ + beyond_, column("motion"), columns_.at("effect_excess"),
                  wall_faces_, wall_poses_, ghost_flags(), to.counts, to.entries, counters_);
   });
 }
@@ -129,14 +140,22 @@ void DeviceSpheres::find_faces() {
 void DeviceSpheres::carry_over(Lists& from, Lists& to, bool of_faces) {
   const int none[2] = {0, 0};
   counters_.write(none, sizeof none);
-  program_.run("sc_carry_over", n_, group, static_cast<int>(n_), static_cast<int>(from.particles),
-               static_cast<int>(of_faces), order_, place_, ghost_flags(), from.counts, from.entries, from.slides,
-               from.rolls, to.counts, to.entries, to.slides, to.rolls, counters_);
+  program_.run(from.single ? "sf_carry_over" : "sc_carry_over", n_, group, static_cast<int>(n_),
+               static_cast<int>(from.particles), static_cast<int>(of_faces), order_, place_, ghost_flags(), from.counts,
+               from.entries, from.slides, from.rolls, to.counts, to.entries, to.slides, to.rolls, counters_);
   // A wall may jump away from a contact; two particles cannot part so fast.
   const bool lost = counters_.values<std::int32_t>(1)[0] != 0;
   if (lost && !of_faces) throw std::logic_error("a contact that acts is on no list of the device");
   std::swap(from, to);
-  if (to.room < from.room) to = make_room(n_, from.room);
+  if (to.room < from.room) to = make_room(n_, from.room, from.single);
+}
+
+/// Notes where everybody is.
+void DeviceSpheres::note_places() {
+  if (mixed_)
+    mixed_->listed.copy_from(mixed_->near[now_], mixed_->listed.bytes());
+  else
+    program_.run("sc_note_places", n_, group, static_cast<int>(n_), motion_[now_], listed_);
 }
 
 void DeviceSpheres::make_lists() {
@@ -156,7 +175,7 @@ void DeviceSpheres::make_lists() {
     }
   }
   if (borders_) unpack_luggage();
-  program_.run("sc_note_places", n_, group, static_cast<int>(n_), motion_[now_], listed_);
+  note_places();
   steps_listed_ = 0;
   walls_travelled_ = 0;
   listed_already_ = true;

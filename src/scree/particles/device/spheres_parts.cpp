@@ -40,7 +40,8 @@ void put_contacts(ParticleSystem& system, const Luggage& acting, bool rolls) {
 }  // namespace
 
 opencl::DeviceBuffer& DeviceSpheres::column(std::string_view name) {
-  return name == "motion" ? motion_[now_] : name == "spin" ? spin_[now_] : columns_.at(name);
+  const int rows = mixed_ ? 0 : now_;
+  return name == "motion" ? motion_[rows] : name == "spin" ? spin_[rows] : columns_.at(name);
 }
 
 const opencl::DeviceBuffer& DeviceSpheres::column(std::string_view name) const {
@@ -87,17 +88,16 @@ template <class Visit>
 void DeviceSpheres::for_each_acting(const Lists& lists, Visit&& visit) const {
   const std::size_t n = lists.particles;
   const auto count = lists.counts.values<std::int32_t>(n);
-  const auto read_slot = [&](int k, const opencl::DeviceBuffer& buffer) {
-    std::vector<double> rows(buffer.bytes() ? 4 * n : 0);
-    buffer.read(rows.data(), rows.size() * sizeof(double), static_cast<std::size_t>(k) * 4 * n * sizeof(double));
-    return rows;
+  const auto read_slot = [&](int k, const opencl::DeviceBuffer& buffer, const std::optional<MemoryUnits>& units) {
+    return buffer.bytes() ? read_memory(buffer, static_cast<std::size_t>(k) * n, n, units) : std::vector<double>();
   };
   const int most = n ? *std::max_element(count.begin(), count.end()) : 0;
   for (int k = 0; k < most; ++k) {
     std::vector<std::uint32_t> entry(n);
     lists.entries.read(entry.data(), n * sizeof(std::uint32_t),
                        static_cast<std::size_t>(k) * n * sizeof(std::uint32_t));
-    const auto slide = read_slot(k, lists.slides), roll = read_slot(k, lists.rolls);
+    const auto slide = read_slot(k, lists.slides, slide_units(lists));
+    const auto roll = read_slot(k, lists.rolls, roll_units(lists));
     for (std::size_t i = 0; i < n; ++i)
       if (k < count[i] && entry[i] >> SC_CODE_SHIFT != 0)
         visit(i, entry[i], &slide[4 * i], roll.empty() ? nullptr : &roll[4 * i]);
@@ -132,7 +132,8 @@ std::vector<std::int32_t> DeviceSpheres::ghosts() const {
   return out;
 }
 
-void DeviceSpheres::bring_back(ParticleSystem& system) const {
+void DeviceSpheres::bring_back(ParticleSystem& system) {
+  if (mixed_) mixed_->give(program_, now_, column("motion"), column("spin"));
   Particles& p = system.particles;
   p.resize(n_);
   p.for_each_field([&](std::string_view name, auto& values, auto...) {
@@ -167,12 +168,12 @@ void DeviceSpheres::reserve(std::size_t rows) {
     widest = std::max(widest, row_bytes);
   };
   for (auto& [name, values] : columns_) grow(values, row_bytes_.at(name));
-  for (int k = 0; k < 2; ++k) {
+  for (int k = 0; k < (mixed_ ? 1 : 2); ++k) {
     grow(motion_[k], row_bytes_.at("motion"));
     grow(spin_[k], row_bytes_.at("spin"));
   }
   for (opencl::DeviceBuffer* places : {&cell_of_, &order_, &place_, &gone_}) grow(*places, sizeof(std::int32_t));
-  grow(listed_, 4 * sizeof(double));
+  if (!mixed_) grow(listed_, 4 * sizeof(double));
   scratch_ = opencl::DeviceBuffer(device_, rows_ * widest);
   found_ = opencl::DeviceBuffer(device_, (rows_ + group - 1) / group * sizeof(sc_findings));
 }
@@ -184,7 +185,7 @@ std::vector<std::int32_t> DeviceSpheres::rows_in(const std::vector<sc_region>& r
   opencl::DeviceBuffer all(device_, regions.size() * sizeof(sc_region));
   all.write(regions.data(), all.bytes());
   program_.run("sc_find_in_regions", n_, group, static_cast<int>(n_), static_cast<int>(regions.size()), all,
-               motion_[now_], columns_.at("effect_excess"), scratch_, counters_);
+               column("motion"), columns_.at("effect_excess"), scratch_, counters_);
   return found_rows();
 }
 
@@ -197,7 +198,7 @@ std::vector<std::int32_t> DeviceSpheres::found_rows() {
 
 /// Copies of the lists of some particles.
 DeviceSpheres::Lists DeviceSpheres::taken(const Lists& lists, const std::vector<std::int32_t>& rows) {
-  Lists out = make_room(rows.size(), lists.room);
+  Lists out = make_room(rows.size(), lists.room, lists.single);
   if (rows.empty()) return out;
   program_.run("sc_take_lists", rows.size(), group, static_cast<int>(rows.size()), opencl::sent(device_, rows),
                static_cast<int>(lists.particles), lists.counts, lists.entries, lists.slides, lists.rolls, out.counts,

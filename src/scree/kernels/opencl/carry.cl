@@ -1,0 +1,54 @@
+// What contacts remember goes with them when lists are made again.
+#include "scree/kernels/opencl/parameters.h"
+
+/// Gives the contacts that act their memory from the lists of before; `order` says where each particle was, `place` where
+/// each has gone, -1 if he is here no more; who has come has had no place among the `n_before`. Faces keep their numbers. A
+/// contact that is on no list any more is noted in `lost`.
+__kernel void sc_carry_over(const int n, const int n_before, const int of_faces, __global const int* order,
+                            __global const int* place, __global const int* ghost, __global const int* old_counts,
+                            __global const uint* old_entries,
+                            __global const real4* old_slides, __global const real4* old_rolls, __global const int* counts,
+                            __global uint* entries, __global real4* slides, __global real4* rolls, __global int* lost) {
+  const size_t i = get_global_id(0);
+  if (i >= (size_t)n) return;
+  const size_t was = (size_t)order[i];
+  if (was >= (size_t)n_before || sc_is_ghost(ghost, i)) return;
+  for (int k = 0; k < old_counts[was]; ++k) {
+    const size_t from = (size_t)k * (size_t)n_before + was;
+    const uint entry = old_entries[from];
+    if (entry >> SC_CODE_SHIFT == 0u) continue;
+    if (!of_faces && place[entry & SC_PARTNER] < 0) continue;
+    const uint partner = of_faces ? entry & SC_PARTNER : (uint)place[entry & SC_PARTNER];
+    int to = 0;
+    while (to < counts[i] && (entries[(size_t)to * (size_t)n + i] & SC_PARTNER) != partner) ++to;
+    if (to == counts[i]) {
+      atomic_inc(lost);
+      continue;
+    }
+    const size_t slot = (size_t)to * (size_t)n + i;
+    entries[slot] = partner | (entry & ~SC_PARTNER);
+    slides[slot] = old_slides[from];
+    if (SC_ROLLS) rolls[slot] = old_rolls[from];
+  }
+}
+
+/// Puts what contacts remember that have come with particles from elsewhere, `count` of them, into the lists of the particle
+/// in each row; `partner` is the id of the other, or the face.
+__kernel void sc_put_memory(const int count, const int of_faces, const int n, __global const int* rows,
+                            __global const long* partner, __global const uint* code, __global const real4* slide,
+                            __global const real4* roll, __global const long* id, __global const int* counts,
+                            __global uint* entries, __global real4* slides, __global real4* rolls, __global int* lost) {
+  const size_t c = get_global_id(0);
+  if (c >= (size_t)count) return;
+  const size_t row = (size_t)rows[c];
+  for (int k = 0; k < counts[row]; ++k) {
+    const size_t slot = (size_t)k * (size_t)n + row;
+    const uint other = entries[slot] & SC_PARTNER;
+    if (partner[c] != (of_faces ? (long)other : id[other])) continue;
+    entries[slot] = other | code[c] << SC_CODE_SHIFT;
+    slides[slot] = slide[c];
+    if (SC_ROLLS) rolls[slot] = roll[c];
+    return;
+  }
+  atomic_inc(lost);
+}

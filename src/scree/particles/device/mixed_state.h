@@ -1,0 +1,72 @@
+// The state of spheres on a device in mixed precision, and the units of its numbers.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <iterator>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "scree/compute/opencl/device.h"
+#include "scree/kernels/opencl/fixed_space.h"
+#include "scree/particles/system.h"
+
+namespace scree {
+
+/// Units in which the numbers of a system are near 1, and its space: bodies further apart than `reach` [m] never meet.
+sc_fixed_space fixed_space_of(const ParticleSystem& system, double reach);
+
+/// Of what a contact remembers, rows of four numbers: of the first three and of the last.
+struct MemoryUnits {
+  double stretch = 1, last = 1;
+};
+
+/// Writes rows of what contacts remember; in single precision where there are units.
+void write_memory(opencl::DeviceBuffer& to, const std::vector<double>& rows, const std::optional<MemoryUnits>& units);
+
+/// Reads `count` rows, the first of them `first`.
+std::vector<double> read_memory(const opencl::DeviceBuffer& from, std::size_t first, std::size_t count,
+                                const std::optional<MemoryUnits>& units);
+
+/// The constants of a pair of materials in the units of single precision.
+sc_pair_law in_units(const sc_pair_law& law, const sc_fixed_space& units);
+
+/// Numbers of a struct that has no others, in single precision.
+template <class T>
+std::vector<float> narrowed(const T& numbers) {
+  static_assert(sizeof(T) % sizeof(double) == 0 && std::is_trivially_copyable_v<T>);
+  double wide[sizeof(T) / sizeof(double)];
+  std::memcpy(wide, &numbers, sizeof wide);
+  return {std::begin(wide), std::end(wide)};
+}
+
+/// What is kept of every particle, besides the books. The first three are there twice, for the present step and the
+/// next.
+struct MixedState {
+  MixedState(const opencl::Device& device, const ParticleSystem& system, double reach);
+
+  /// Calls visit(buffer, bytes of a row) for what goes along when particles are put in another order.
+  void for_each_row(int now, const std::function<void(opencl::DeviceBuffer&, std::size_t)>& visit);
+
+  /// Takes particles from their rows in double.
+  void take(opencl::Program& program, int now, const opencl::DeviceBuffer& motion, const opencl::DeviceBuffer& spin,
+            const opencl::DeviceBuffer& excess);
+
+  /// Gives positions, velocities and spins to the rows in double.
+  void give(opencl::Program& program, int now, const opencl::DeviceBuffer& motion,
+            const opencl::DeviceBuffer& spin) const;
+
+  std::size_t bytes() const;
+
+  MemoryUnits slide_units() const { return {space.length, space.length / space.time}; }
+
+  std::size_t particles;
+  sc_fixed_space space;
+  opencl::DeviceBuffer near[2], speed[2], spin[2];
+  opencl::DeviceBuffer rest_places, rest_speeds, rest_spins;
+  opencl::DeviceBuffer excess_of, listed, laws;
+};
+
+}  // namespace scree
