@@ -1,6 +1,6 @@
 # Usage: cmake -D SOURCE=DIR -D OUTPUT=FILE -P embed_kernels.cmake
-# Writes src/scree/kernels/opencl/*.cl with all that they include, each header once, as one string of C++: a device's
-# compiler sees no files.
+# Writes src/scree/kernels/opencl/*.cl with all that they include, each header once, as two strings of C++, the second of what
+# particles that are no spheres need besides: a device's compiler sees no files.
 cmake_minimum_required(VERSION 3.25)
 set(seen "")
 set(text "")
@@ -26,10 +26,20 @@ function(take file)
   set(text "${text}" PARENT_SCOPE)
 endfunction()
 
-foreach(kernels gathered faces spheres sort lists check)
-  take("scree/kernels/opencl/${kernels}.cl")
-endforeach()
+# Headers that only the second part includes are not in the first.
+function(take_all part)
+  set(text "")
+  foreach(kernels ${ARGN})
+    take("scree/kernels/opencl/${kernels}.cl")
+  endforeach()
+  set(seen "${seen}" PARENT_SCOPE)
+  set(${part} "${text}" PARENT_SCOPE)
+endfunction()
+
+take_all(of_spheres gathered faces spheres sort lists check)
+take_all(of_shapes pairs shape_walls shapes)
 file(WRITE "${OUTPUT}" "#include \"scree/compute/opencl/text.h\"
 
-const char* const scree::opencl::kernel_text = R\"kernels(${text})kernels\";
+const char* const scree::opencl::kernel_text = R\"kernels(${of_spheres})kernels\";
+const char* const scree::opencl::shape_kernel_text = R\"kernels(${of_shapes})kernels\";
 ")

@@ -52,6 +52,35 @@ point = [0, 0, 0]
 normal = [0, 0, 1]
 """
 
+# The simulator takes long for a search: a few bodies, so fast that they soon meet.
+BODIES = CROWD.replace("\"18 us\"", "\"20 us\"\nmax_overlap = 0.9").replace("deviation = 2", "deviation = 4").replace("""count = 70
+diameter = { distribution = "uniform", min = "0.8 mm", max = "2.4 mm" }
+""", """count = 16
+shape = "ellipsoid"
+half_axes = ["1.3 mm", "1 mm", "0.7 mm"]
+orientation = "random"
+region_min = [0, 0, 0]
+region_max = ["8 mm", "8 mm", "4 mm"]
+""") + """
+[[particles]]
+name = "balls"
+material = "grain"
+insert = "random"
+count = 8
+diameter = "1 mm"
+region_min = [0, 0, 0]
+region_max = ["8 mm", "8 mm", "4 mm"]
+velocity = {type = "random", deviation = 4}
+[[walls]]
+name = "disc"
+type = "cone"
+material = "grain"
+start = ["4 mm", "4 mm", "3.1 mm"]
+end = ["4 mm", "4 mm", "3.3 mm"]
+start_radius = "1 mm"
+end_radius = "0.5 mm"
+"""
+
 
 class Devices(unittest.TestCase):
     def setUp(self):
@@ -59,25 +88,34 @@ class Devices(unittest.TestCase):
         self.addCleanup(directory.cleanup)
         self.work = pathlib.Path(directory.name)
         (self.work / "crowd.toml").write_text(CROWD)
+        (self.work / "bodies.toml").write_text(BODIES)
 
     def scree(self, *arguments, **environment):
         return subprocess.run([PROGRAM, *arguments], cwd=self.work, env=os.environ | SIMULATOR | environment,
                               capture_output=True, text=True)
 
-    def run_on(self, device):
-        result = self.scree("run", "crowd.toml", "-o", device.replace(":", "_"), "--device", device, "--quiet")
+    def run_on(self, device, case):
+        result = self.scree("run", case, "-o", device.replace(":", "_"), "--device", device, "--quiet")
         self.assertEqual(result.returncode, 0, result.stderr)
         # Whatever the simulator has to say it says there.
         self.assertEqual(result.stderr + result.stdout, "")
         return json.loads((self.work / device.replace(":", "_") / "summary.json").read_text())
 
     def test_kernels_neither_race_nor_leave_their_buffers(self):
-        alone, device = self.run_on("cpu"), self.run_on("opencl:0")
-        self.assertGreater(alone["contacts"], 20)
-        for key in ("state_hash", "contacts", "wall_contacts", "ledger"):
-            self.assertEqual(device[key], alone[key], key)
+        alone, device = self.run_both("crowd.toml", 20)
         self.assertIn("device", device["stages"])
         self.assertNotIn("device", alone["stages"])
+
+    def test_nor_do_those_of_shapes(self):
+        self.assertGreater(self.run_both("bodies.toml", 10)[0]["wall_contacts"], 0)
+
+    def run_both(self, case, contacts):
+        """Both must tell the same, and meet contacts."""
+        alone, device = self.run_on("cpu", case), self.run_on("opencl:0", case)
+        self.assertGreater(alone["contacts"], contacts)
+        for key in ("state_hash", "contacts", "wall_contacts", "ledger"):
+            self.assertEqual(device[key], alone[key], key)
+        return alone, device
 
     def test_info_lists_devices_and_what_was_tried(self):
         self.assertIn("device opencl:0    Oclgrind", self.scree("info").stdout)

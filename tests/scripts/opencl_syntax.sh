@@ -37,11 +37,16 @@ laws="-DSC_GROUP=128 -DSC_SEVERAL_RANKS=1 -DSC_CHOSEN_NORMAL=2 -DSC_CHOSEN_TANGE
       -DSC_CHOSEN_COHESION=2"
 kernels=$(mktemp --suffix=.cl)
 trap 'rm -f "$kernels"' EXIT
-for text in gathered faces spheres sort lists check; do
-  echo "#include \"scree/kernels/opencl/$text.cl\"" >> "$kernels"
-done
-for target in spir64 nvptx64; do
-  check "kernels for $target" "$clang" $opencl -target $target $laws -I"$source" "$kernels"
+spheres="gathered faces spheres sort lists check"
+for shaped in 0 1; do
+  : > "$kernels"
+  for text in $spheres $([ $shaped = 1 ] && echo pairs shape_walls shapes); do
+    echo "#include \"scree/kernels/opencl/$text.cl\"" >> "$kernels"
+  done
+  for target in spir64 nvptx64; do
+    check "kernels for $target, SC_SHAPED=$shaped" "$clang" $opencl -target $target -DSC_SHAPED=$shaped $laws -I"$source" \
+          "$kernels"
+  done
 done
 echo "$count headers"
 [ "$count" -gt 0 ] && [ "$failed" -eq 0 ]

@@ -212,10 +212,6 @@ TEST(Device, RefusesByNameWhatItDoesNotHave) {
   };
   EXPECT_EQ(refused(""), "");
   const std::pair<const char*, const char*> cases[] = {
-      {"[[particles]]\nname = \"rods\"\nmaterial = \"glass\"\nshape = \"cylinder\"\nhalf_axes = [1e-3, 1e-3, "
-       "2e-3]\ninsert "
-       "= \"positions\"\npositions = [[0.012, 0.012, 0.02]]\n",
-       "particles that are no spheres"},
       {"[flow]\ntype = \"still\"\ndensity = 1.2\nviscosity = 1.8e-5\ndrag = \"stokes\"\nbuoyancy = true\n", "buoyancy"},
       {"[[analysis.planes]]\nname = \"p\"\npoint = [0, 0, 0.01]\nnormal = [0, 0, 1]\n", "counting planes"}};
   for (const auto& [more, what] : cases) {

@@ -28,7 +28,6 @@ void refuse_particles(const Case& c) {
   for (std::size_t k = 0; k < c.particles.size(); ++k) {
     const ParticleKeys& group = c.particles[k];
     const auto key = [&](const char* name) { return fmt::format("particles.{}.{}", k, name); };
-    if (group.shape != "sphere") refuse(c, key("shape"), "particles that are no spheres are");
     if (group.motion == "prescribed") refuse(c, key("motion"), "bodies with a prescribed motion are");
   }
 }
@@ -61,6 +60,7 @@ opencl::DeviceInfo find_device(const std::string& name, int place) {
 
 void refuse_on_device(const Case& c) {
   refuse_particles(c);
+  if (has_shapes(c) && by_vertices(c)) refuse(c, "contact.detection", "contacts of shapes by vertices are");
   if (is_hard(c)) refuse(c, "contact.collision", "hard collisions are");
   if (c.gravity.type != "none" && c.gravity.type != "uniform")
     refuse(c, "gravity.type", "body forces other than uniform gravity are");
@@ -74,6 +74,12 @@ void refuse_on_device(const Case& c) {
   if (forces.push() || forces.turn() || c.flow.pressure_force)
     refuse(c, "flow.type", "forces of a flow besides the drag of spheres are");
   if (!c.analysis.planes.empty()) refuse(c, "analysis.planes.0.point", "counting planes are");
+}
+
+void refuse_on_several_devices(const Case& c) {
+  for (std::size_t k = 0; k < c.particles.size(); ++k)
+    if (c.particles[k].shape != "sphere")
+      refuse(c, fmt::format("particles.{}.shape", k), "with several processes, particles that are no spheres are");
 }
 
 }  // namespace scree

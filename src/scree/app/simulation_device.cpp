@@ -11,6 +11,7 @@ Simulation::~Simulation() = default;
 
 void Simulation::use_device(const opencl::DeviceInfo& info) {
   refuse_on_device(case_);
+  if (!ranks_.alone()) refuse_on_several_devices(case_);
   device_ = std::make_unique<DeviceRun>(info);
 }
 

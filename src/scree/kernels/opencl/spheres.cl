@@ -101,9 +101,9 @@ SC_FN sc_gathered sc_meet_partners(sc_device_step p, size_t i, sc_row own, __glo
   return g;
 }
 
-/// Writes where a sphere has gone, and notes how.
-SC_FN void sc_store(sc_device_step p, size_t i, sc_row own, sc_sphere_motion q, real4 listed, __global int4* images,
-                    __global real4* motion_out, __global real4* spin_out, sc_found* found) {
+/// Writes where a centre has gone and how fast it is, and notes how.
+SC_FN void sc_store_centre(sc_device_step p, size_t i, sc_row own, sc_centre_moved q, real4 listed, __global int4* images,
+                           __global real4* motion_out, sc_found* found) {
   const int4 image = images[i];
   const sc_wrapped x = sc_wrap(q.position.x, p.box.low[0], p.box.high[0], p.box.period[0], image.x);
   const sc_wrapped y = sc_wrap(q.position.y, p.box.low[1], p.box.high[1], p.box.period[1], image.y);
@@ -113,7 +113,6 @@ SC_FN void sc_store(sc_device_step p, size_t i, sc_row own, sc_sphere_motion q, 
   const real4 place = (real4)(x.x, y.x, z.x, own.place.w);
   motion_out[2 * i] = place;
   motion_out[2 * i + 1] = (real4)(q.velocity.x, q.velocity.y, q.velocity.z, own.speed.w);
-  spin_out[i] = (real4)(q.rim.x, q.rim.y, q.rim.z, own.rim.w);
   const real square = sc_dot(q.velocity, q.velocity);
   const sc_vec way = sc_branch(p.box, listed, place);
   found->fastest_square = SC_MAX(found->fastest_square, square);
@@ -122,19 +121,20 @@ SC_FN void sc_store(sc_device_step p, size_t i, sc_row own, sc_sphere_motion q, 
   found->stale |= !(sc_dot(way, way) <= p.stale_square);
 }
 
-/// Adds to the books of particle i what is not zero.
-SC_FN void sc_store_books(sc_device_step p, size_t i, sc_sphere_motion s, sc_gathered walls, sc_gathered all,
-                          sc_sphere_moved moved, int among_others, __global real4* losses, __global real4* works,
-                          __global real4* impulses, __global real4* angulars) {
+SC_FN void sc_store_losses(size_t i, sc_gathered all, __global real4* losses) {
   if (all.loss_normal != R(0) || all.loss_sliding != R(0) || all.loss_rolling != R(0))
     losses[i] += (real4)(all.loss_normal, all.loss_sliding, all.loss_rolling, R(0));
+}
+
+/// Adds to the books of particle i what is not zero: of a force and a torque as sc_book() takes them, and of fields.
+SC_FN void sc_store_books(sc_device_step p, size_t i, sc_centre before, sc_vec force, sc_vec torque, sc_centre_moved moved,
+                          real prescribed_work, int among_others, __global real4* works, __global real4* impulses,
+                          __global real4* angulars) {
   if (!among_others && !p.book_gravity) return;
-  const sc_sphere_load load = sc_load_of(s.inverse_mass > R(0) ? walls : all);
-  const sc_vec torque = sc_add_scaled(load.couple, s.radius, load.turn);
-  const sc_booked b = sc_book(p.move, sc_centre_of_sphere(s), load.force, torque, moved.centre, p.book_gravity);
+  const sc_booked b = sc_book(p.move, before, force, torque, moved, p.book_gravity);
   angulars[i] += (real4)(b.angular.x, b.angular.y, b.angular.z, R(0));
   if (!among_others) return;
-  works[i] += (real4)(moved.centre.drag_work, moved.centre.body_work, moved.prescribed_work, R(0));
+  works[i] += (real4)(moved.drag_work, moved.body_work, prescribed_work, R(0));
   impulses[i] += (real4)(b.impulse.x, b.impulse.y, b.impulse.z, R(0));
 }
 
@@ -167,7 +167,71 @@ SC_FN sc_findings sc_add_found(sc_findings f, sc_found sum) {
   return f;
 }
 
-/// One step, number `step` of those that `poses` ([step][wall]) were sent for. Nothing happens if lists did not hold any more after an earlier one.
+SC_FN sc_found sc_nothing_found(void) {
+  sc_found f;
+  f.fastest_square = f.deepest = R(0);
+  f.contacts = f.wall_contacts = f.impacts = f.unsound = f.outside = f.stale = 0;
+  f.impact_speed = 0;
+  return f;
+}
+
+/// Joins what all items of a group have found, two by two, and adds it to what the group found before, unless the step was
+/// not done. What must not go on sets the flag of the next step. No barrier is under a condition.
+SC_FN void sc_note_found(sc_device_step p, int halted, sc_found found, __local sc_found* all, __global sc_findings* findings,
+                         __global int* stale_after) {
+  const int item = (int)get_local_id(0);
+  all[item] = found;
+  for (int part = SC_GROUP / 2; part > 0; part /= 2) {
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (item < part) all[item] = sc_join(all[item], all[item + part]);
+  }
+  barrier(CLK_LOCAL_MEM_FENCE);
+  if (item == 0 && !halted) {
+    const sc_found sum = all[0];
+    findings[get_group_id(0)] = sc_add_found(findings[get_group_id(0)], sum);
+    if (sum.stale || sum.unsound || sum.outside || sum.deepest > p.max_overlap) *stale_after = 1;
+  }
+}
+
+/// Adds what walls gave to what partners gave.
+SC_FN sc_gathered sc_gather_walls(sc_gathered g, sc_gathered walls) {
+  g.force = sc_add(g.force, walls.force);
+  g.turn = sc_add(g.turn, walls.turn);
+  g.couple = sc_add(g.couple, walls.couple);
+  g.loss_normal += walls.loss_normal;
+  g.loss_sliding += walls.loss_sliding;
+  g.loss_rolling += walls.loss_rolling;
+  return g;
+}
+
+SC_FN sc_sphere_motion sc_sphere_at(sc_row own) {
+  sc_sphere_motion s;
+  s.position = sc_first(own.place);
+  s.velocity = sc_first(own.speed);
+  s.rim = sc_first(own.rim);
+  s.radius = own.place.w;
+  s.inverse_mass = own.speed.w;
+  s.inverse_radius = own.rim.w;
+  return s;
+}
+
+/// The law of motion for what a particle may meet: no fluid without fields.
+SC_FN sc_move sc_move_at(sc_device_step p) {
+  sc_move m = p.move;
+  if (!p.fields) m.drag = SC_DRAG_NONE;
+  return m;
+}
+
+/// What acts on a particle at its place.
+SC_FN sc_field sc_field_at(sc_device_step p, sc_vec position) {
+  sc_field field = sc_no_field();
+  if (p.fields) field.fluid = sc_flow_at(p.flow, position);
+  return field;
+}
+
+#if !SC_SHAPED
+/// One step, number `step` of those that `poses` ([step][wall]) were sent for. Nothing happens if lists did not hold any more
+/// after an earlier one.
 __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
     const sc_device_step p, const int step, __global int* stale, __global const real4* motion, __global const real4* spin,
     __global real4* motion_out, __global real4* spin_out, __global const real* excess, __global const int* material,
@@ -183,10 +247,7 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
   if (halted) {
     if (i == 0) stale[step + 1] = 1;
   }
-  sc_found found;
-  found.fastest_square = found.deepest = R(0);
-  found.contacts = found.wall_contacts = found.impacts = found.unsound = found.outside = found.stale = 0;
-  found.impact_speed = 0;
+  sc_found found = sc_nothing_found();
   if (!halted && i < (size_t)p.counts.particles && !SC_IS_GHOST(ghost, i)) {
     const sc_row own = sc_read_row(motion, spin, excess, material, i, motion[2 * i]);
     sc_gathered all_of = sc_meet_partners(p, i, own, motion, spin, excess, material, ghost, id, laws, counts[i],
@@ -196,42 +257,21 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
     if (free_body && p.counts.faces > 0) {
       const sc_near_faces f = {i,     (size_t)p.counts.particles,   face_counts[i],
                                faces, poses + step * p.counts.walls, near_faces,
-                               face_slides, face_rolls, gaps, corners};
+                               face_slides, face_rolls, gaps, corners, 0, 0, 0};
       of_walls = sc_meet_walls(p, own, f, laws, works, &found);
-      all_of.force = sc_add(all_of.force, of_walls.force);
-      all_of.turn = sc_add(all_of.turn, of_walls.turn);
-      all_of.couple = sc_add(all_of.couple, of_walls.couple);
-      all_of.loss_normal += of_walls.loss_normal;
-      all_of.loss_sliding += of_walls.loss_sliding;
-      all_of.loss_rolling += of_walls.loss_rolling;
+      all_of = sc_gather_walls(all_of, of_walls);
     }
-    sc_sphere_motion s;
-    s.position = sc_first(own.place);
-    s.velocity = sc_first(own.speed);
-    s.rim = sc_first(own.rim);
-    s.radius = own.place.w;
-    s.inverse_mass = own.speed.w;
-    s.inverse_radius = own.rim.w;
-    sc_move m = p.move;
-    if (!p.fields) m.drag = SC_DRAG_NONE;
-    sc_field field = sc_no_field();
-    if (p.fields) field.fluid = sc_flow_at(p.flow, s.position);
-    const sc_sphere_moved moved = sc_move_sphere(m, s, sc_load_of(all_of), field);
+    const sc_sphere_motion s = sc_sphere_at(own);
+    const sc_sphere_moved moved = sc_move_sphere(sc_move_at(p), s, sc_load_of(all_of), sc_field_at(p, s.position));
+    const sc_gathered push = free_body ? of_walls : all_of;
     const int among_others = p.fields || !free_body || of_walls.near;
-    sc_store_books(p, i, s, of_walls, all_of, moved, among_others, losses, works, impulses, angulars);
-    sc_store(p, i, own, moved.motion, listed[i], images, motion_out, spin_out, &found);
+    sc_store_losses(i, all_of, losses);
+    sc_store_books(p, i, sc_centre_of_sphere(s), push.force, sc_add_scaled(push.couple, s.radius, push.turn), moved.centre,
+                   moved.prescribed_work, among_others, works, impulses, angulars);
+    sc_store_centre(p, i, own, moved.centre, listed[i], images, motion_out, &found);
+    const sc_vec rim = moved.motion.rim;
+    spin_out[i] = (real4)(rim.x, rim.y, rim.z, own.rim.w);
   }
-  // What all items of the group have found, joined two by two; no barrier is under a condition.
-  const int item = (int)get_local_id(0);
-  all[item] = found;
-  for (int part = SC_GROUP / 2; part > 0; part /= 2) {
-    barrier(CLK_LOCAL_MEM_FENCE);
-    if (item < part) all[item] = sc_join(all[item], all[item + part]);
-  }
-  barrier(CLK_LOCAL_MEM_FENCE);
-  if (item == 0 && !halted) {
-    const sc_found sum = all[0];
-    findings[get_group_id(0)] = sc_add_found(findings[get_group_id(0)], sum);
-    if (sum.stale || sum.unsound || sum.outside || sum.deepest > p.max_overlap) stale[step + 1] = 1;
-  }
+  sc_note_found(p, halted, found, all, findings, stale + step + 1);
 }
+#endif

@@ -18,12 +18,16 @@ constexpr int first_face_room = 3;  // the same of faces
 static_assert(SC_SPEED_QUANTUM == speed_quantum);
 
 /// The laws are constants of the kernels, so that the choice folds away.
-std::string options_for(const sc_laws& laws, std::size_t group, bool several_ranks) {
+std::string options_for(const sc_laws& laws, std::size_t group, bool several_ranks, bool shaped) {
   return fmt::format(
-      "-cl-std=CL1.2 -DSC_GROUP={} -DSC_SEVERAL_RANKS={:d} -DSC_CHOSEN_NORMAL={} -DSC_CHOSEN_TANGENTIAL={} "
-      "-DSC_CHOSEN_ROLLING={} "
-      "-DSC_CHOSEN_TWISTING={} -DSC_CHOSEN_COHESION={}",
-      group, several_ranks, laws.normal, laws.tangential, laws.rolling, laws.twisting, laws.cohesion);
+      "-cl-std=CL1.2 -DSC_GROUP={} -DSC_SEVERAL_RANKS={:d} -DSC_SHAPED={:d} -DSC_CHOSEN_NORMAL={} "
+      "-DSC_CHOSEN_TANGENTIAL={} -DSC_CHOSEN_ROLLING={} -DSC_CHOSEN_TWISTING={} -DSC_CHOSEN_COHESION={}",
+      group, several_ranks, shaped, laws.normal, laws.tangential, laws.rolling, laws.twisting, laws.cohesion);
+}
+
+/// Kernels of shapes take a device's compiler longer than all others, so that only who needs them has them.
+std::string text_for(bool shaped) {
+  return std::string(opencl::kernel_text) + (shaped ? opencl::shape_kernel_text : "");
 }
 
 sc_flow flow_of(const Fields& f) {
@@ -56,7 +60,8 @@ sc_box box_of(const Domain& domain) {
 DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem& s, const ContactLists& lists,
                              const Fields& fields, double max_overlap)
     : device_(device),
-      program_(device, opencl::kernel_text, options_for(s.laws, group, !lists.ranks.alone())),
+      program_(device, text_for(s.particles.shaped()),
+               options_for(s.laws, group, !lists.ranks.alone(), s.particles.shaped())),
       laws_of_run_(s.laws),
       first_law_(s.materials.law[0]),
       rolls_(s.contacts.remembers_rolling),
@@ -75,29 +80,38 @@ DeviceSpheres::DeviceSpheres(const opencl::Device& device, const ParticleSystem&
   constants_.max_overlap = max_overlap;
   wraps_ = s.domain.periodic;
   laws_ = opencl::sent(device_, s.materials.law);
+  if (s.particles.shaped()) send_shapes(s);
   check_kernels();
+  if (shapes_) check_shapes(s.forms);
   if (!lists.ranks.alone()) join(s, lists);
   send_particles(s.particles);
   send_walls(s);
   send_contacts(s);
-  fresh_ = make_room(n_, first_room);
-  fresh_face_lists_ = make_room(n_, faces_ > 0 ? std::min(static_cast<int>(faces_), first_face_room) : 0);
+  if (shapes_)
+    lists_ = make_room(n_, first_room, Remembers::nothing);
+  else
+    fresh_ = make_room(n_, first_room, Remembers::laws);
+  const int face_room = faces_ > 0 ? std::min(static_cast<int>(faces_), first_face_room) : 0;
+  fresh_face_lists_ = make_room(n_, face_room, face_lists_.remembers);
 }
 
-std::size_t DeviceSpheres::groups() const { return (n_ + group - 1) / group; }
+std::size_t DeviceSpheres::groups() const { return (rows_ + group - 1) / group; }
 
 sc_counts DeviceSpheres::counts() const {
   return {static_cast<int>(n_), lists_.room, materials_, static_cast<int>(faces_), static_cast<int>(walls_), 0};
 }
 
-DeviceSpheres::Lists DeviceSpheres::make_room(std::size_t particles, int room) const {
+DeviceSpheres::Lists DeviceSpheres::make_room(std::size_t particles, int room, Remembers remembers) const {
   const std::size_t slots = particles * static_cast<std::size_t>(room);
+  const std::size_t memory = remembers == Remembers::nothing ? 0 : slots * 4 * sizeof(double);
   return {particles,
           room,
+          remembers,
           {device_, particles * sizeof(std::int32_t)},
           {device_, slots * sizeof(std::uint32_t)},
-          {device_, slots * 4 * sizeof(double)},
-          {device_, rolls_ ? slots * 4 * sizeof(double) : 0}};
+          {device_, memory},
+          {device_, rolls_ ? memory : 0},
+          {device_, remembers == Remembers::laws_and_places ? 2 * memory : 0}};
 }
 
 void DeviceSpheres::send_particles(const Particles& particles) {
@@ -126,52 +140,6 @@ void DeviceSpheres::send_walls(const ParticleSystem& s) {
   wall_poses_ = opencl::DeviceBuffer(device_, most_given * walls_ * sizeof(sc_wall_pose));
 }
 
-/// Contacts that act are sent as lists of their own, each pair from both sides; the first real lists take them over.
-void DeviceSpheres::send_contacts(const ParticleSystem& s) {
-  const PairContacts& c = s.contacts;
-  const auto entry = [](std::int32_t other, std::uint8_t code) {
-    return static_cast<std::uint32_t>(other) | static_cast<std::uint32_t>(code) << SC_CODE_SHIFT;
-  };
-  std::vector<Side> sides;
-  for (std::size_t k = 0; k < c.pairs.count; ++k) {
-    if (!c.active[k]) continue;
-    const std::int32_t a = c.pairs.owner[k], b = c.pairs.partner[k];
-    const double *slide = &c.slide[4 * k], *roll = rolls_ ? &c.roll[4 * k] : nullptr;
-    sides.push_back({static_cast<std::size_t>(a), entry(b, c.active[k]), slide, roll, 1});
-    sides.push_back({static_cast<std::size_t>(b), entry(a, c.active[k]), slide, roll, -1});
-  }
-  lists_ = sent_sides(sides);
-  sides.clear();
-  const WallContacts& w = s.wall_contacts;
-  for (std::size_t p = 0; p + 1 < w.first.size(); ++p)
-    for (std::int32_t k = w.first[p]; k < w.first[p + 1]; ++k)
-      if (w.active[k])
-        sides.push_back({p, entry(w.wall[k], w.active[k]), &w.slide[4 * std::size_t(k)],
-                         rolls_ ? &w.roll[4 * std::size_t(k)] : nullptr, 1});
-  face_lists_ = sent_sides(sides);
-}
-
-DeviceSpheres::Lists DeviceSpheres::sent_sides(const std::vector<Side>& sides) const {
-  std::vector<std::int32_t> count(n_);
-  for (const Side& side : sides) ++count[side.particle];
-  Lists lists = make_room(n_, n_ ? *std::max_element(count.begin(), count.end()) : 0);
-  const std::size_t slots = n_ * static_cast<std::size_t>(lists.room);
-  std::vector<std::uint32_t> entries(slots);
-  std::vector<double> slides(4 * slots), rolls(rolls_ ? 4 * slots : 0);
-  std::fill(count.begin(), count.end(), 0);
-  for (const Side& side : sides) {
-    const std::size_t slot = static_cast<std::size_t>(count[side.particle]++) * n_ + side.particle;
-    entries[slot] = side.entry;
-    for (std::size_t l = 0; l < 4; ++l) slides[4 * slot + l] = (l < 3 ? side.sign : 1) * side.slide[l];
-    for (std::size_t l = 0; rolls_ && l < 4; ++l) rolls[4 * slot + l] = (l < 3 ? side.sign : 1) * side.roll[l];
-  }
-  lists.counts.write(count.data(), n_ * sizeof(std::int32_t));
-  lists.entries.write(entries.data(), slots * sizeof(std::uint32_t));
-  lists.slides.write(slides.data(), slides.size() * sizeof(double));
-  lists.rolls.write(rolls.data(), rolls.size() * sizeof(double));
-  return lists;
-}
-
 void DeviceSpheres::step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls) {
   if (is_full()) throw std::logic_error("a device that is full has to settle first");
   given_.push_back({move, time, walls});
@@ -196,7 +164,14 @@ void DeviceSpheres::launch(const Given& given, int number) {
   const sc_vec& g = given.move.gravity;
   constants_.book_gravity =
       constants_.box.period[0] + constants_.box.period[1] + constants_.box.period[2] == 0 && sc_dot(g, g) > 0;
-  const int from = (now_ + number) % 2, to = 1 - from;
+  const int from = (now_ + number) % 2;
+  if (shapes_)
+    launch_shapes(number, from, 1 - from);
+  else
+    launch_spheres(number, from, 1 - from);
+}
+
+void DeviceSpheres::launch_spheres(int number, int from, int to) {
   program_.run("sc_pass", n_, group, constants_, number, stale_, motion_[from], spin_[from], motion_[to], spin_[to],
                columns_.at("effect_excess"), columns_.at("material"), ghost_flags(), columns_.at("id"), listed_, laws_,
                lists_.counts, lists_.entries, lists_.slides, lists_.rolls, wall_faces_, wall_poses_, face_lists_.counts,
@@ -209,7 +184,7 @@ void DeviceSpheres::launch(const Given& given, int number) {
 void DeviceSpheres::add_findings(DeviceFindings& to) {
   SweepFindings own;
   std::vector<std::int64_t> sums(4, 0);  // contacts, with walls, impacts, their speeds
-  for (const sc_findings& f : found_.values<sc_findings>(groups())) {
+  for (const sc_findings& f : found_.values<sc_findings>(found_.bytes() / sizeof(sc_findings))) {
     own.fastest2 = std::max(own.fastest2, f.fastest_square);
     own.deepest = std::max(own.deepest, f.deepest);
     own.contacts += f.contacts;
@@ -258,6 +233,7 @@ DeviceFindings DeviceSpheres::settle() {
   while (!given_.empty()) {
     send_poses();
     if (!listed_already_) make_lists();
+    if (shapes_) shapes_->looked.clear();
     const Done done = borders_ ? do_in_turn() : do_ahead();
     now_ = static_cast<int>((now_ + done.steps) % 2);
     steps_listed_ += done.steps;
@@ -286,7 +262,7 @@ std::size_t DeviceSpheres::bytes() const {
         &cell_of_, &cell_first_, &cursor_, &order_, &place_, &scratch_, &found_})
     sum += b->bytes();
   for (const Lists* l : {&lists_, &fresh_, &face_lists_, &fresh_face_lists_}) sum += l->bytes();
-  return sum;
+  return sum + (shapes_ ? shapes_->bytes() : 0);
 }
 
 }  // namespace scree

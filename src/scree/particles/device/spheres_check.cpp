@@ -16,11 +16,6 @@ namespace {
 
 constexpr int tries = 64;
 
-[[noreturn]] void refuse(const opencl::Device& device, const std::string& what) {
-  throw ResourceError(fmt::format("{} ({}, driver {}) does not compute as this program does: {}", device.info().name,
-                                  device.info().platform, device.info().driver, what));
-}
-
 /// Numbers between -1 and 1 that depend on their place alone.
 double draw(int contact, int place) {
   return 2 * uniform_pair(
@@ -56,6 +51,11 @@ sc_contact_state state_of(int k, double r) {
 
 }  // namespace
 
+void DeviceSpheres::refuse(const std::string& what) const {
+  throw ResourceError(fmt::format("{} ({}, driver {}) does not compute as this program does: {}", device_.info().name,
+                                  device_.info().platform, device_.info().driver, what));
+}
+
 void DeviceSpheres::check_kernels() {
   const std::array<int, 8> expected{sizeof(sc_device_step),   sizeof(sc_findings),      sizeof(sc_pair_law),
                                     sizeof(sc_wall),          sizeof(sc_wall_pose),     sizeof(sc_touch),
@@ -63,7 +63,7 @@ void DeviceSpheres::check_kernels() {
   opencl::DeviceBuffer found(device_, sizeof expected);
   program_.run("sc_sizes", 1, 1, found);
   if (const auto sizes = found.values<int>(expected.size()); !std::equal(sizes.begin(), sizes.end(), expected.begin()))
-    refuse(device_, fmt::format("structs have the sizes {}, not {}", fmt::join(sizes, " "), fmt::join(expected, " ")));
+    refuse(fmt::format("structs have the sizes {}, not {}", fmt::join(sizes, " "), fmt::join(expected, " ")));
   check_sums();
   check_law();
 }
@@ -77,7 +77,7 @@ void DeviceSpheres::check_sums() {
   scan(values, static_cast<int>(numbers.size()));
   const auto sums = values.values<std::int32_t>(numbers.size());
   std::exclusive_scan(numbers.begin(), numbers.end(), numbers.begin(), 0);
-  if (sums != numbers) refuse(device_, "sums of integers differ");
+  if (sums != numbers) refuse("sums of integers differ");
 }
 
 /// The chosen law, to the last bit.
@@ -108,8 +108,8 @@ void DeviceSpheres::check_law() {
     const auto mine = numbers(own), its = numbers(theirs[k]);
     for (std::size_t l = 0; l < mine.size(); ++l)
       if (!(mine[l] == its[l]) && !(std::isnan(mine[l]) && std::isnan(its[l])))
-        refuse(device_, fmt::format("number {} of a contact's law is {:.17g}, not {:.17g}", l, its[l], mine[l]));
-    if (own.action.touching != theirs[k].action.touching) refuse(device_, "it takes a contact for none");
+        refuse(fmt::format("number {} of a contact's law is {:.17g}, not {:.17g}", l, its[l], mine[l]));
+    if (own.action.touching != theirs[k].action.touching) refuse("it takes a contact for none");
   }
 }
 
