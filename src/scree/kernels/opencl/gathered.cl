@@ -13,8 +13,10 @@ typedef double4 real4;
 // SC_SEVERAL_RANKS: some of the particles are copies of those of other ranks, which move them.
 #if SC_SEVERAL_RANKS
 #define SC_IS_GHOST(ghost, i) ((ghost)[i] != 0)
+#define SC_IS_OWN(ghost, i) ((ghost)[i] == 0)
 #else
 #define SC_IS_GHOST(ghost, i) 0
+#define SC_IS_OWN(ghost, i) 1
 #endif
 
 /// What a particle has gathered.

@@ -82,7 +82,7 @@ __kernel void sc_find_faces(const sc_counts sizes, const real skin, __global con
   if (i >= n) return;
   const double4 own = motion[2 * i];
   const real reach = own.w + excess[i] + skin;
-  const int all = motion[2 * i + 1].w > R(0) && !SC_IS_GHOST(ghost, i) ? sizes.faces : 0;
+  const int all = motion[2 * i + 1].w > R(0) && SC_IS_OWN(ghost, i) ? sizes.faces : 0;
   int count = 0;
   for (int face = 0; face < all; ++face) {
     const sc_wall wall = faces[face];

@@ -248,7 +248,7 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
     if (i == 0) stale[step + 1] = 1;
   }
   sc_found found = sc_nothing_found();
-  if (!halted && i < (size_t)p.counts.particles && !SC_IS_GHOST(ghost, i)) {
+  if (!halted && i < (size_t)p.counts.particles && SC_IS_OWN(ghost, i)) {
     const sc_row own = sc_read_row(motion, spin, excess, material, i, motion[2 * i]);
     sc_gathered all_of = sc_meet_partners(p, i, own, motion, spin, excess, material, ghost, id, laws, counts[i],
                                           partners, slides, rolls, &found);
