@@ -1,7 +1,9 @@
 # Usage: cmake -D SOURCE=DIR -D OUTPUT=FILE -P embed_kernels.cmake
 # Writes src/scree/kernels/opencl/*.cl with all that they include, each header once, as strings of C++: a device's compiler
-# sees no files. Mixed precision needs the text of contacts twice, in single and in double precision: the former is the same text
-# with names that begin with sf_ instead of sc_. Where OUTPUT ends in .cl, the text of mixed precision is written as it is.
+# sees no files. What particles that are no spheres need besides is a text of its own, which follows the first. Mixed precision
+# needs the text of contacts twice, in single and in double precision: the former is the same text with names that begin with
+# sf_ instead of sc_. Where OUTPUT ends in .cl, the text of mixed precision is written as it is, where in .shapes.cl that of
+# shapes.
 cmake_minimum_required(VERSION 3.25)
 
 function(take file)
@@ -34,7 +36,12 @@ function(flatten result)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-flatten(double state gathered partners faces fields spheres sort lists carry check try_law)
+set(of_spheres state gathered partners faces fields spheres sort lists carry check try_law)
+flatten(double ${of_spheres})
+# Headers that both include are in the first.
+flatten(all ${of_spheres} pairs shape_walls shapes)
+string(LENGTH "${double}" length)
+string(SUBSTRING "${all}" ${length} -1 shapes)
 flatten(single fixed_point gathered partners carry try_law)
 flatten(mixed mixed)
 foreach(prefix sc_:sf_ SC_:SF_ SCREE_:SCREE_SINGLE_)
@@ -45,13 +52,17 @@ foreach(prefix sc_:sf_ SC_:SF_ SCREE_:SCREE_SINGLE_)
 endforeach()
 string(PREPEND single "#define SCREE_SINGLE_FLOAT\n#define real sf_real\n#define real4 sf_real4\n")
 string(APPEND single "#undef real\n#undef real4\n")
-if(OUTPUT MATCHES "\\.cl$")
+if(OUTPUT MATCHES "\\.shapes\\.cl$")
+  file(WRITE "${OUTPUT}" "${all}")
+  return()
+elseif(OUTPUT MATCHES "\\.cl$")
   file(WRITE "${OUTPUT}" "${single}${double}${mixed}")
   return()
 endif()
 file(WRITE "${OUTPUT}" "#include \"scree/compute/opencl/text.h\"
 
 const char* const scree::opencl::kernel_text = R\"kernels(${double})kernels\";
+const char* const scree::opencl::shape_kernel_text = R\"kernels(${shapes})kernels\";
 const char* const scree::opencl::single_text = R\"kernels(${single})kernels\";
 const char* const scree::opencl::mixed_text = R\"kernels(${mixed})kernels\";
 ")

@@ -35,7 +35,7 @@ for header in $(find "$source/scree/physics" "$source/scree/kernels" -name '*.h'
 done
 laws=
 for prefix in SC SF; do
-  laws="$laws -D${prefix}_GROUP=128 -D${prefix}_CHOSEN_NORMAL=2 -D${prefix}_CHOSEN_TANGENTIAL=6 -D${prefix}_CHOSEN_ROLLING=1
+  laws="$laws -D${prefix}_GROUP=128 -D${prefix}_SHAPED=0 -D${prefix}_CHOSEN_NORMAL=2 -D${prefix}_CHOSEN_TANGENTIAL=6 -D${prefix}_CHOSEN_ROLLING=1
         -D${prefix}_CHOSEN_TWISTING=1 -D${prefix}_CHOSEN_COHESION=2"
 done
 formulas=""
@@ -58,10 +58,12 @@ for text in state gathered partners faces fields spheres sort lists carry check 
   echo "#include \"scree/kernels/opencl/$text.cl\"" >> "$kernels/double.cl"
 done
 check "text in mixed precision" cmake -D SOURCE="$source" -D OUTPUT="$kernels/mixed.cl" -P "$source/../tools/embed_kernels.cmake"
+check "text of shapes" cmake -D SOURCE="$source" -D OUTPUT="$kernels/all.shapes.cl" -P "$source/../tools/embed_kernels.cmake"
 for target in spir64 nvptx64; do
   for fields in "$everything" "$solved"; do
     check "kernels for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=1 $laws $fields $formulas -I"$source" "$kernels/double.cl"
   done
+  check "kernels of shapes for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=0 $laws -USC_SHAPED -DSC_SHAPED=1 $solved $formulas "$kernels/all.shapes.cl"
   check "kernels in mixed precision for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=0 $laws $solved $formulas "$kernels/mixed.cl"
 done
 for text in fixed_point gathered partners carry try_law; do

@@ -211,16 +211,9 @@ TEST(Device, RefusesByNameWhatItDoesNotHave) {
     return std::string();
   };
   EXPECT_EQ(refused(""), "");
-  const std::pair<const char*, const char*> cases[] = {
-      {"[[particles]]\nname = \"rods\"\nmaterial = \"glass\"\nshape = \"cylinder\"\nhalf_axes = [1e-3, 1e-3, "
-       "2e-3]\ninsert "
-       "= \"positions\"\npositions = [[0.012, 0.012, 0.02]]\n",
-       "particles that are no spheres"},
-      {"[[analysis.planes]]\nname = \"p\"\npoint = [0, 0, 0.01]\nnormal = [0, 0, 1]\n", "counting planes"}};
-  for (const auto& [more, what] : cases) {
-    EXPECT_NE(refused(more).find("E193"), std::string::npos) << more;
-    EXPECT_NE(refused(more).find(what), std::string::npos) << refused(more);
-  }
+  const std::string planes = refused("[[analysis.planes]]\nname = \"p\"\npoint = [0, 0, 0.01]\nnormal = [0, 0, 1]\n");
+  EXPECT_NE(planes.find("E193"), std::string::npos) << planes;
+  EXPECT_NE(planes.find("counting planes"), std::string::npos) << planes;
 }
 
 TEST(Device, NamesThoseThatThereAre) {

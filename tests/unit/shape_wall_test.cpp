@@ -285,7 +285,7 @@ TEST(ShapeWall, EllipsoidSlidesAndRollsOverTrianglesAsOverAPlane) {
     contacts = std::max(contacts, other.findings().contacts);
   }
   EXPECT_GT(one.system().particles.motion.row(0)[0], 0.12);  // dozens of edges
-  EXPECT_LT(apart, 1e-6);
+  EXPECT_LT(apart, 1e-12);
   EXPECT_EQ(contacts, 1);
 }
 

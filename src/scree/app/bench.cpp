@@ -37,7 +37,7 @@ void check_names(const std::vector<std::string>& names) {
   std::vector<std::string> known;
   for (const BenchScene& scene : bench_scenes()) known.push_back(scene.name);
   known.insert(known.end(), {"linear", "fluid"});
-  known.insert(known.end(), {"gpu-spheres", "gpu-vortex"});
+  known.insert(known.end(), {"gpu-spheres", "gpu-shapes", "gpu-vortex"});
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw InputError(fmt::format("there is no benchmark '{}'; {}", name,
@@ -91,21 +91,21 @@ void measure(const std::string& name, const std::vector<int>& threads, const Ben
   }
   // Absolute: file names in a case are relative to the case.
   const std::string packings = fs::absolute(options.packings.empty() ? cache_directory() : options.packings).string();
-  BenchScene scene = bench_scene(name == "gpu-spheres" ? "dense" : name);
+  const bool on_device = name.starts_with("gpu-");
+  BenchScene scene = bench_scene(name == "gpu-spheres" ? "dense" : name == "gpu-shapes" ? "endless" : name);
   for (std::string& change : make_mesh(scene.name, packings)) scene.changes.push_back(std::move(change));
   for (std::string& change : make_packing(scene, packings)) scene.changes.push_back(std::move(change));
   scene.changes.insert(scene.changes.end(), options.set.begin(), options.set.end());
-  if (name == "gpu-spheres") {
-    for (const DeviceFigures& f : measure_bed_on_device(scene, options, largest_on_device(options), rounds))
-      figures.push_back(device_json(f));
-    return;
-  }
-  for (const int t : threads) {
+  // Shapes on a device stand beside one thread of the processor.
+  for (const int t : on_device ? std::vector<int>(name == "gpu-shapes" ? 1 : 0, 1) : threads) {
     const SceneFigures f = measure_scene(scene, t, rounds);
     fmt::print("{}", scene_text(f));
     figures.push_back(scene_json(f));
     if (!options.set.empty()) figures.back()["set"] = options.set;
   }
+  if (!on_device) return;
+  for (const DeviceFigures& f : measure_bed_on_device(name, scene, options, largest_on_device(options), rounds))
+    figures.push_back(device_json(f));
 }
 
 }  // namespace

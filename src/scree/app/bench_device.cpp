@@ -20,7 +20,8 @@
 namespace scree {
 namespace {
 
-constexpr std::array<int, 5> bed_tiles{1, 3, 10, 30, 100};      // side by side, of 100 000 particles each
+constexpr std::array<int, 5> bed_tiles{1, 3, 10, 30, 100};      // side by side, of 100 000 spheres each
+constexpr std::array<int, 4> shape_tiles{1, 5, 50, 500};        // of 2000 bodies each
 constexpr std::array<int, 4> vortex_periods{1, 10, 100, 1000};  // in all, of vortex_particles each
 constexpr int warm_steps = 60;
 
@@ -141,24 +142,31 @@ DeviceFigures measure_size(const Target& target, const ParticleSystem& system, c
   f.slowest = *std::min_element(rates.begin(), rates.end());
   f.fastest = *std::max_element(rates.begin(), rates.end());
   f.contacts = static_cast<double>(steps.contacts() - contacts_before) / (particle_steps * rounds);
-  f.bytes = bytes_on_device(target.precision, steps.spheres().candidates(), 2 * f.contacts, act_locally(fields));
+  f.shaped = system.particles.shaped();
+  f.bytes = f.shaped
+                ? 0
+                : bytes_on_device(target.precision, steps.spheres().candidates(), 2 * f.contacts, act_locally(fields));
   f.memory = static_cast<double>(steps.spheres().bytes()) / static_cast<double>(f.particles);
   return f;
 }
 
+/// What limits spheres, and what shapes are compared by.
+std::string measure_text(const DeviceFigures& f) {
+  if (f.shaped) return fmt::format("{:.4g} M contacts/s", 1e-6 * f.rate * f.contacts);
+  return fmt::format("{:.0f} bytes per particle-step, {:.0f} % of copying ({:.0f} GB/s)", f.bytes,
+                     100 * f.rate * f.bytes / f.copy_bandwidth, 1e-9 * f.copy_bandwidth);
+}
+
 void print_figures(const DeviceFigures& f) {
   fmt::print(
-      "{:<11} {:<6} {:>9} particles {:>8.1f} M particle-steps/s ({:.1f} to {:.1f}), {:.4g} s for {} steps; {:.2f} "
-      "contacts "
-      "per particle; {:.0f} bytes per particle-step, {:.0f} % of copying ({:.0f} GB/s); {:.0f} bytes of memory per "
-      "particle\n",
+      "{:<11} {:<6} {:>9} particles {:>8.4g} M particle-steps/s ({:.4g} to {:.4g}), {:.4g} s for {} steps; {:.2f} "
+      "contacts per particle; {}; {:.0f} bytes of memory per particle\n",
       f.name, f.precision, f.particles, 1e-6 * f.rate, 1e-6 * f.slowest, 1e-6 * f.fastest,
-      static_cast<double>(f.particles) * f.steps / f.rate, f.steps, f.contacts, f.bytes,
-      100 * f.rate * f.bytes / f.copy_bandwidth, 1e-9 * f.copy_bandwidth, f.memory);
+      static_cast<double>(f.particles) * f.steps / f.rate, f.steps, f.contacts, measure_text(f), f.memory);
   std::fflush(stdout);
 }
 
-/// The tiled bed of 100 000 spheres.
+/// A bed, repeated sideways.
 class Bed {
  public:
   explicit Bed(const BenchScene& scene)
@@ -167,6 +175,7 @@ class Bed {
         one_(build_system(case_, fields_)) {}
 
   std::int64_t particles(int tiles) const { return tiles * static_cast<std::int64_t>(one_.particles.size()); }
+  bool is_shaped() const { return one_.particles.shaped(); }
 
   DeviceFigures measure(const Target& target, int tiles, int rounds) const {
     const std::array<int, 3> n = repeats(tiles);
@@ -194,8 +203,9 @@ class Vortex {
 };
 
 template <class Scene, std::size_t Count>
-std::vector<DeviceFigures> measure_sizes(const Scene& scene, const char* name, const std::array<int, Count>& sizes,
-                                         const Target& target, std::int64_t largest, int rounds) {
+std::vector<DeviceFigures> measure_sizes(const Scene& scene, const std::string& name,
+                                         const std::array<int, Count>& sizes, const Target& target,
+                                         std::int64_t largest, int rounds) {
   const double bandwidth = copy_bandwidth(target.device);
   std::vector<DeviceFigures> all;
   for (const int size : sizes) {
@@ -214,9 +224,12 @@ Target target_of(const BenchOptions& o) {
 
 }  // namespace
 
-std::vector<DeviceFigures> measure_bed_on_device(const BenchScene& scene, const BenchOptions& o, std::int64_t largest,
-                                                 int rounds) {
-  return measure_sizes(Bed(scene), "gpu-spheres", bed_tiles, target_of(o), largest, rounds);
+std::vector<DeviceFigures> measure_bed_on_device(const std::string& benchmark, const BenchScene& scene,
+                                                 const BenchOptions& o, std::int64_t largest, int rounds) {
+  const Target target = target_of(o);
+  const Bed bed(scene);
+  if (bed.is_shaped()) return measure_sizes(bed, benchmark, shape_tiles, target, largest, rounds);
+  return measure_sizes(bed, benchmark, bed_tiles, target, largest, rounds);
 }
 
 std::vector<DeviceFigures> measure_vortex_on_device(const BenchOptions& o, std::int64_t largest, int rounds) {
@@ -233,6 +246,7 @@ nlohmann::json device_json(const DeviceFigures& f) {
           {"slowest_round", f.slowest},
           {"fastest_round", f.fastest},
           {"contacts_per_particle", f.contacts},
+          {"contacts_per_second", f.rate * f.contacts},
           {"bytes_per_particle_step", f.bytes},
           {"copy_bytes_per_second", f.copy_bandwidth},
           {"memory_per_particle", f.memory}};

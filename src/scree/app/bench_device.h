@@ -1,4 +1,4 @@
-// Ten million spheres on an OpenCL device: a dense bed, and a vortex.
+// Up to ten million particles on an OpenCL device: a dense bed, a bed of ellipsoids, and a vortex.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +18,16 @@ struct DeviceFigures {
   int steps = 0;                              // of a round
   double rate = 0, slowest = 0, fastest = 0;  // particle-steps per second: median, slowest and fastest round
   double contacts = 0;                        // that acted, per particle
-  double bytes = 0;                           // that a particle-step has to move, counted from the layout
+  bool shaped = false;                        // not all particles are spheres
+  double bytes = 0;                           // that a particle-step has to move, counted from the layout; spheres only
   double copy_bandwidth = 0;                  // of the device [bytes/s]
   double memory = 0;                          // of the device, per particle [bytes]
 };
 
 /// Measures the bed of `scene` in tiles side by side, up to `largest` particles, on the device and in the
 /// precision of the options. Prints each size when it is done.
-std::vector<DeviceFigures> measure_bed_on_device(const BenchScene& scene, const BenchOptions& options,
-                                                 std::int64_t largest, int rounds);
+std::vector<DeviceFigures> measure_bed_on_device(const std::string& benchmark, const BenchScene& scene,
+                                                 const BenchOptions& options, std::int64_t largest, int rounds);
 
 /// The same of cohesive spheres in a Taylor-Green vortex, the kind of case of the OpenCL report.
 std::vector<DeviceFigures> measure_vortex_on_device(const BenchOptions& options, std::int64_t largest, int rounds);

@@ -26,6 +26,7 @@ const std::vector<BenchScene>& bench_scenes() {
       packed("boxes", "[0.25, 0.25]"),
       packed("exponents", "[0.377, 0.541]"),
       {"shapes", "shapes", {}, 200},
+      {"endless", "endless", {}, 200},
   };
   return scenes;
 }

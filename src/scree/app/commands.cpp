@@ -160,16 +160,16 @@ Command declare_bench(CLI::App& app, const RanksOfRun& processes) {
   options->ranks = processes.ranks();
   c->add_option(
       "names", options->names,
-      "dense, dilute, drum, silo, mix, ellipsoids, cylinders, boxes, exponents, shapes, linear, fluid, gpu-spheres, "
-      "gpu-vortex [dense dilute]");
+      "dense, dilute, drum, silo, mix, ellipsoids, cylinders, boxes, exponents, shapes, endless, linear, fluid, "
+      "gpu-spheres, gpu-shapes, gpu-vortex [dense dilute]");
   add_option(*c, "--threads", "threads [1 and all]", options->threads, read_count);
   add_option(*c, "--rounds", "measurements of which the median counts [5; linear and on devices 3]", options->rounds,
              read_count);
-  add_option(*c, "--particles", "linear, gpu-spheres, gpu-vortex: the largest size [1000000, 10000000]",
+  add_option(*c, "--particles", "linear, gpu-spheres, gpu-shapes, gpu-vortex: the largest size [1000000, 10000000]",
              options->particles, read_count);
   c->add_option("--set", options->set, "change a key of the scenes: --set contact.detection=vertices (may be repeated)")
       ->allow_extra_args(false);
-  c->add_option("--device", options->device, "gpu-spheres, gpu-vortex: opencl, opencl:NUMBER [opencl]");
+  c->add_option("--device", options->device, "gpu-spheres, gpu-shapes, gpu-vortex: opencl, opencl:NUMBER [opencl]");
   c->add_option("--precision", options->precision, "gpu-spheres, gpu-vortex: double, mixed [double]");
   c->add_option("--json", options->json, "also write the figures to this file");
   c->add_option("--packings", options->packings, "directory of the particle tables [the user's cache]");

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 
+#include "scree/app/build.h"
 #include "scree/app/build_forces.h"
+#include "scree/app/guard.h"
 #include "scree/base/error.h"
 #include "scree/input/located.h"
 #include "scree/particles/device/formula.h"
@@ -29,19 +31,41 @@ void refuse_particles(const Case& c) {
   for (std::size_t k = 0; k < c.particles.size(); ++k) {
     const ParticleKeys& group = c.particles[k];
     const auto key = [&](const char* name) { return fmt::format("particles.{}.{}", k, name); };
-    if (group.shape != "sphere") refuse(c, key("shape"), "particles that are no spheres are");
     if (group.motion == "prescribed") refuse(c, key("motion"), "bodies with a prescribed motion are");
   }
 }
 
+/// The key of the first group of particles that are no spheres.
+std::string key_of_shape(const Case& c) {
+  std::size_t k = 0;
+  while (c.particles[k].shape == "sphere") ++k;
+  return fmt::format("particles.{}.shape", k);
+}
+
 void refuse_on_several(const Case& c) {
-  if (couples(c))
-    throw error_at(c, "fluid.type",
+  const auto lacks = [&](const std::string& key, const std::string& what) {
+    throw error_at(c, key,
                    {"E193",
                     {},
-                    "flows that are solved for are not there yet on the devices of several processes",
+                    what + " not there yet on the devices of several processes",
                     "",
                     "run the case in one process, or without --device"});
+  };
+  if (couples(c)) lacks("fluid.type", "flows that are solved for are");
+  if (has_shapes(c)) lacks(key_of_shape(c), "particles that are no spheres are");
+}
+
+/// What spheres have on devices and bodies of other shapes do not.
+void refuse_with_shapes(const Case& c) {
+  if (by_vertices(c)) refuse(c, "contact.detection", "contacts of shapes by vertices are");
+  if (couples(c)) refuse(c, "fluid.type", "bodies that are no spheres in flows that are solved for are");
+  const Fields fields = build_fields(c);
+  if (!act_locally(fields)) return;
+  if (fields.forces.push() || fields.forces.turn())
+    refuse(c, "flow.type", "forces of a flow on bodies that are no spheres, besides the drag of spheres, are");
+  if (may_fail(fields))
+    refuse(c, c.gravity.type == "uniform" || c.gravity.type == "none" ? "flow.type" : "gravity.type",
+           "formulas and central forces for bodies that are no spheres are");
 }
 
 /// Refuses a formula with a function that kernels do not have.
@@ -94,6 +118,7 @@ void refuse_in_mixed(const Case& c, bool several) {
         c, key, {"E193", {}, what + " not there yet in mixed precision", "", "--precision double has it on a device"});
   };
   if (several) lacks("simulation.end", "runs of several processes are");
+  if (has_shapes(c)) lacks(key_of_shape(c), "particles that are no spheres are");
   for (std::size_t k = 0; k < c.particles.size(); ++k)
     if (c.particles[k].insert == "rate")
       lacks(fmt::format("particles.{}.insert", k), "particles that come in while the run goes on are");
@@ -112,6 +137,7 @@ void refuse_in_mixed(const Case& c, bool several) {
 
 void refuse_on_device(const Case& c, bool several) {
   refuse_particles(c);
+  if (has_shapes(c)) refuse_with_shapes(c);
   if (is_hard(c)) refuse(c, "contact.collision", "hard collisions are");
   if (c.gravity.type == "expression") refuse_formulas(c, "gravity.expression", c.gravity.expression);
   if (c.flow.type == "expression") refuse_formulas(c, "flow.expression", c.flow.expression);

@@ -146,7 +146,7 @@ inline bool starts_from_owner(const SweepView& v, std::int64_t i, std::int64_t j
   before.roll = sc_zero_vec();
   before.twist = R(0);
   const sc_contact_result r = sc_contact_act(laws, law, touch, time, before);
-  const ShapeLoads loads = loads_of(place, r.action);
+  const sc_shape_loads loads = sc_loads_of(place, r.action);
   keep_vec(s.force, i, loads.force);
   keep_vec(s.torque_i, i, loads.torque_a);
   keep_vec(s.torque_j, i, loads.torque_b);

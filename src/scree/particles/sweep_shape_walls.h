@@ -1,8 +1,8 @@
 // What walls do to a particle that is no sphere.
 #pragma once
 
+#include "scree/kernels/meet_wall.h"
 #include "scree/particles/sweep_shapes.h"
-#include "scree/physics/touch/body_wall.h"
 
 namespace scree {
 namespace {
@@ -36,13 +36,6 @@ inline sc_body_gap noted_gap(const AmongWalls& a, std::int32_t w) {
   return gap;
 }
 
-/// Where the scaled body touches the face, from the centre: that of a plane is not its contact point, which lies below
-/// the farthest point of the body as it is.
-inline sc_vec touching_point(const AmongWalls& a, std::int32_t w) {
-  const sc_body_gap gap = noted_gap(a, w);
-  return gap.plain ? sc_scale(gap.growth, sc_add_scaled(gap.arm, gap.overlap, gap.normal)) : gap.arm;
-}
-
 /// The memory of one place of a face, aside.
 struct PlaceMemory {
   std::uint8_t active = 0;
@@ -59,41 +52,29 @@ inline PlaceMemory take_memory(const SweepView& v, std::int32_t w) {
   return m;
 }
 
-inline void put_memory(const SweepView& v, std::int32_t w, PlaceMemory& m) {
+inline void put_memory(const SweepView& v, std::int32_t w, const PlaceMemory& m) {
   v.walls.active[w] = m.active;
   store4(v.walls.slide + std::int64_t{4} * w, m.slide);
   store4(v.walls.roll + std::int64_t{4} * w, m.roll);
   for (int k = 0; k < wall_memory / 4; ++k) store4(memory_row(v, w) + 4 * k, m.shape[k]);
-  m.active = 0;
 }
 
-/// Gives the memories of the places of one face, from `begin` on, to the gaps: again and again to the two that are
-/// nearest to each other. Those left over go to places without a gap. So the order of places does not matter.
+/// Gives the memories of the places of one face, from `begin` on, to the gaps that are there now.
 [[gnu::noinline]] void match_places(const AmongWalls& a, std::int32_t begin, const sc_body_gap* gaps, int count) {
   const SweepView& v = a.v;
   const sc_vec centre = vec_of(v.motion + 8 * a.p);
   PlaceMemory old[SC_FRUSTUM_GAPS];
-  int left = 0;
-  for (int k = 0; k < SC_FRUSTUM_GAPS; ++k)
-    if (v.walls.active[begin + k]) old[left++] = take_memory(v, begin + k);
-  const int all = left;
-  for (int matched = 0; left > 0 && matched < count; ++matched, --left) {
-    int gap = -1, memory = -1;
-    double least = 0;
-    for (int g = 0; g < count; ++g)
-      for (int m = 0; m < all; ++m) {
-        if (!old[m].active || v.walls.active[begin + g]) continue;
-        const sc_vec at = sc_from_wall(a.pose(begin), sc_add(centre, gaps[g].arm));
-        const sc_vec apart = sc_sub(at, sc_make_vec(old[m].shape[0][0], old[m].shape[0][1], old[m].shape[0][2]));
-        if (gap >= 0 && sc_dot(apart, apart) >= least) continue;
-        least = sc_dot(apart, apart);
-        gap = g;
-        memory = m;
-      }
-    put_memory(v, begin + gap, old[memory]);
+  sc_vec was[SC_FRUSTUM_GAPS], at[SC_FRUSTUM_GAPS];
+  int memories = 0, to[SC_FRUSTUM_GAPS];
+  for (int k = 0; k < SC_FRUSTUM_GAPS; ++k) {
+    if (k < count) at[k] = sc_from_wall(a.pose(begin), sc_add(centre, gaps[k].arm));
+    if (!v.walls.active[begin + k]) continue;
+    was[memories] = vec_of(memory_row(v, begin + k));
+    old[memories++] = take_memory(v, begin + k);
   }
-  for (int m = 0, k = count; m < all && k < SC_FRUSTUM_GAPS; ++m)
-    if (old[m].active) put_memory(v, begin + k++, old[m]);
+  sc_match_places(at, count, was, memories, to);
+  for (int m = 0; m < memories; ++m)
+    if (to[m] >= 0) put_memory(v, begin + to[m], old[m]);
 }
 
 inline const sc_pair_law& law_at_wall(const AmongWalls& a, std::int32_t w) {
@@ -122,12 +103,6 @@ inline const sc_pair_law& law_at_wall(const AmongWalls& a, std::int32_t w) {
   return places;
 }
 
-/// The wall as partner B of a contact, `arm` from its pivot.
-inline sc_body_side side_of_wall(const sc_wall_pose& pose, const sc_vec& arm, const sc_vec& normal) {
-  const sc_vec speed = pose.moves ? sc_wall_speed(pose, pose.velocity, pose.spin, arm, normal) : sc_zero_vec();
-  return {speed, pose.moves ? pose.spin : sc_zero_vec(), 0, sc_zero_vec(), sc_unit_mat()};
-}
-
 /// Remembers where a contact is: on the wall, and from the centre of the body.
 inline void keep_place(const AmongWalls& a, std::int32_t w, const sc_vec& arm, const sc_wall_memory& memory) {
   const sc_vec anchor = sc_from_wall(a.pose(w), sc_add(vec_of(a.v.motion + 8 * a.p), arm));
@@ -136,34 +111,27 @@ inline void keep_place(const AmongWalls& a, std::int32_t w, const sc_vec& arm, c
 }
 
 /// One contact of the particle with a wall, added to what it has gathered.
-[[gnu::noinline]] void add_shape_wall(const AmongWalls& a, std::int32_t w, const sc_body_shape& body, Gathered& g,
+[[gnu::noinline]] void add_shape_wall(const AmongWalls& a, std::int32_t w, const sc_body_at_walls& body, Gathered& g,
                                       SweepFindings& findings) {
   const SweepView& v = a.v;
   const sc_body_gap gap = noted_gap(a, w);
-  if (gap.overlap + v.margin <= 0 && !v.walls.active[w]) return;
-  const double by_volume = v.shapes.inertia[4 * a.p + 3];
-  sc_wall_memory memory = v.walls.active[w] ? memory_at_wall(memory_row(v, w)) : sc_wall_met(body, gap, by_volume);
-  if (gap.plain) memory.reach = gap.support;
-  const sc_contact_place place = sc_place_at_wall(gap, memory);
-  const sc_vec at = sc_add(vec_of(v.motion + 8 * a.p), place.arm_a);
-  const sc_vec arm = sc_sub(at, a.pose(w).place);
-  const sc_body_side wall = side_of_wall(a.pose(w), arm, place.normal);
-  const double ratio = sc_wall_ratio(gap, memory);
-  const sc_touch touch = sc_touch_at(place, side_at(v, a.p), wall, v.effect_excess[a.p] / ratio);
-  const sc_pair_law law = sc_law_of_growth(law_at_wall(a, w), ratio);
+  const bool acted = v.walls.active[w] != 0;
+  if (gap.overlap + v.margin <= 0 && !acted) return;
+  const sc_wall_memory memory =
+      sc_wall_remembers(acted, memory_at_wall(memory_row(v, w)), body.shape, gap, v.shapes.inertia[4 * a.p + 3]);
+  const sc_wall_meeting m = sc_meet_wall(body, a.pose(w), gap, memory, law_at_wall(a, w));
   const sc_contact_state before = wall_state(v, w);
-  if (!a.pose(w).present) return lose_wall(a, w, v.laws, law, touch, before);
-  const sc_contact_result r = sc_contact_act(v.laws, law, touch, v.time, before);
-  const sc_vec force = sc_add(r.action.normal_force, r.action.tangential_force);
-  const sc_vec torque = sc_add(sc_cross(place.arm_a, force), r.action.couple);
+  if (!a.pose(w).present) return lose_wall(a, w, v.laws, m.law, m.touch, before);
+  const sc_contact_result r = sc_contact_act(v.laws, m.law, m.touch, v.time, before);
+  const sc_shape_loads loads = sc_loads_of(m.place, r.action);
+  const sc_vec force = loads.force, torque = loads.torque_a;
   g.force += lane4{force.x, force.y, force.z, r.action.loss_normal};
   g.turn += lane4{torque.x, torque.y, torque.z, r.action.loss_sliding};
   g.couple += lane4{0, 0, 0, r.action.loss_rolling};
-  book_wall(a, w, arm, r);
-  findings.deepest = SC_MAX(findings.deepest, place.overlap / inscribed_radius(v, a.p));
-  remember_wall(a, w, v.laws, law, touch, r, findings);
-  if (!r.action.touching) return;
-  keep_place(a, w, place.arm_a, memory);
+  book_wall(a, w, m.arm, r);
+  findings.deepest = SC_MAX(findings.deepest, m.place.overlap / inscribed_radius(v, a.p));
+  remember_wall(a, w, v.laws, m.law, m.touch, r, findings);
+  if (r.action.touching) keep_place(a, w, m.place.arm_a, memory);
 }
 
 /// All walls of a sphere among shapes.
@@ -187,7 +155,7 @@ inline Gathered gather_walls_of_sphere(const SweepView& v, std::int64_t p, Sweep
     drop_faces(
         a, [&](std::int32_t w) { return a.gap(w).corners != dropped; },
         [&](std::int32_t w) {
-          return counts(a, w, body.radius, growth, [&](std::int32_t u) { return touching_point(a, u); });
+          return counts(a, w, body.radius, growth, [&](std::int32_t u) { return sc_touching_point(noted_gap(a, u)); });
         });
   // Two places of a round wall may also have become one.
   forget_dropped(a);
@@ -199,8 +167,8 @@ inline Gathered gather_walls_of_sphere(const SweepView& v, std::int64_t p, Sweep
   if (is_sphere(v, p)) return gather_walls_of_sphere(v, p, findings);
   Gathered g{};
   const AmongWalls a{v, p, v.walls.first[p], v.walls.first[p + 1]};
-  const sc_body_shape body = shape_at(v, p);
-  find_gaps_of_shape(a, body);
+  const sc_body_at_walls body{shape_at(v, p), side_at(v, p), vec_of(v.motion + 8 * p), v.effect_excess[p]};
+  find_gaps_of_shape(a, body.shape);
   for (std::int32_t w = a.begin; w < a.end; ++w)
     if (!(a.gap(w).corners & dropped)) add_shape_wall(a, w, body, g, findings);
   return g;

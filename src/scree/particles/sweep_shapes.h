@@ -1,11 +1,12 @@
 // The contacts of one tile where some particles are no spheres, and what every particle gathers of them.
 #pragma once
 
+#include "scree/kernels/apart.h"
+#include "scree/kernels/meet_shapes.h"
 #include "scree/particles/sweep_tile.h"
 #include "scree/particles/sweep_walls.h"
 #include "scree/particles/vertex_search.h"
 #include "scree/physics/rotation.h"
-#include "scree/physics/touch/shape_contact.h"
 
 namespace scree {
 namespace {
@@ -46,26 +47,10 @@ inline double way_of(const SweepView& v, const ShapePair& pair) {
   return v.shapes.angular_momentum[4 * pair.i + 3] + v.shapes.angular_momentum[4 * pair.j + 3];
 }
 
-/// How far apart their bounding spheres are [m], negative if they overlap. `reach`: the sum of their radii.
-/// Rounding must not make it larger.
-inline double sphere_gap(const sc_vec& branch, double reach) {
-  return (1 - 1e-12) * (sc_norm(branch) - reach) - 1e-14 * reach;
-}
-
-/// How far the surfaces of a pair may go before the two can meet [m]: `gap` is how far apart they are at the nearest
-/// image of the partner, `distance` that of the centres there, `reach` the sum of the bounding radii. No other image is
-/// nearer than a period less.
-inline double free_way(double gap, double distance, double reach, double shortest_period) {
-  return SC_MIN(gap, shortest_period - distance - reach);
-}
-
-/// Up to which way of both surfaces a pair is known to be apart: it has gone `way` and may go another `free`.
-inline double apart_until(double way, double free) { return free > 0 ? (1 - 1e-12) * (way + free) : 0; }
-
 /// Up to which way a pair stays apart that is so by `gap` [m].
 inline double apart_until(const SweepView& v, const ShapePair& pair, const sc_vec& branch, double gap) {
   const double reach = v.motion[8 * pair.i + 3] + v.motion[8 * pair.j + 3];
-  return apart_until(way_of(v, pair), free_way(gap, sc_norm(branch), reach, v.shortest_period) - v.margin);
+  return sc_apart_until(way_of(v, pair), sc_free_way(gap, sc_norm(branch), reach, v.shortest_period) - v.margin);
 }
 
 inline sc_shape_memory shape_memory(const double* m) { return {{vec_of(m), m[3]}, m[4], m[5]}; }
@@ -74,16 +59,6 @@ inline void keep_shape_memory(double* to, const sc_shape_memory& m) {
   store4(to, lane4{m.start.point.x, m.start.point.y, m.start.point.z, m.start.share});
   store4(to + 4, lane4{m.reach, m.radius, 0, 0});
 }
-
-/// A contact ready for the laws.
-struct ShapeMeeting {
-  sc_contact_place place;
-  sc_pair_law law;
-  double excess;           // of the effect surfaces, as the law takes it [m]
-  bool in_reach;           // it may act
-  sc_shape_memory memory;  // if it goes on
-  double apart_until;      // way of both surfaces up to which they are apart
-};
 
 inline sc_contact_state shape_state(const SweepView& v, std::int64_t c) {
   sc_contact_state s;
@@ -112,21 +87,9 @@ inline void remember_shapes(const SweepView& v, std::int64_t c, const sc_contact
   if (v.roll) store4(v.roll + 4 * c, keep * lane4{s.roll.x, s.roll.y, s.roll.z, s.twist});
 }
 
-/// What a contact does to its bodies: the force on A, its opposite acts on B, and the torque on each.
-struct ShapeLoads {
-  sc_vec force, torque_a, torque_b;
-};
-
-/// By value: with references the loop over lanes is not vectorised.
-[[gnu::always_inline]] inline ShapeLoads loads_of(sc_contact_place place, sc_contact_action action) {
-  const sc_vec force = sc_add(action.normal_force, action.tangential_force);
-  return {force, sc_add(sc_cross(place.arm_a, force), action.couple),
-          sc_scale(R(-1), sc_add(sc_cross(place.arm_b, force), action.couple))};
-}
-
 /// Writes what the laws made of a contact into its slot.
 inline void fill_shape_slot(double* slot, const sc_contact_place& place, const sc_contact_action& action) {
-  const ShapeLoads loads = loads_of(place, action);
+  const sc_shape_loads loads = sc_loads_of(place, action);
   store4(slot, lane4{loads.force.x, loads.force.y, loads.force.z, action.loss_normal});
   store4(slot + 4, lane4{loads.torque_a.x, loads.torque_a.y, loads.torque_a.z, action.loss_sliding});
   store4(slot + 8, lane4{loads.torque_b.x, loads.torque_b.y, loads.torque_b.z, action.loss_rolling});
@@ -169,14 +132,15 @@ inline void note_depth(const SweepView& v, std::int64_t c, double overlap, Sweep
   findings.deepest = SC_MAX(findings.deepest, overlap / smaller);
 }
 
-/// Evaluates the laws, fills the slot and keeps what the pair remembers.
-inline void act_as_meeting(const SweepView& v, std::int64_t c, const ShapePair& pair, const ShapeMeeting& m,
-                           SweepFindings& findings) {
+/// Evaluates the laws, fills the slot and keeps what the pair remembers; `until`: way of both surfaces up to which they
+/// are apart.
+inline void act_as_meeting(const SweepView& v, std::int64_t c, const ShapePair& pair, const sc_shape_meeting& m,
+                           double until, SweepFindings& findings) {
   *pair.apart = 0;
   const bool acts = (m.in_reach && m.place.overlap + v.margin > 0) || v.active[c];
   mark_slot(v, c, acts);
   if (!acts) {
-    *pair.apart = m.apart_until;
+    *pair.apart = until;
     return;
   }
   const sc_body_side a = side_at(v, pair.i), b = side_at(v, pair.j);
@@ -195,15 +159,16 @@ inline bool begin_contact(const SweepView& v, std::int64_t c, const sc_vec& bran
   const ShapePair pair = shape_pair(v, c);
   const bool acted = v.active[c] != 0;
   const double radius_i = v.motion[8 * pair.i + 3], radius_j = v.motion[8 * pair.j + 3];
-  const double gap = sphere_gap(branch, radius_i + radius_j);
+  const double gap = sc_sphere_gap(branch, radius_i + radius_j);
   if (gap > v.margin && !acted) {
     mark_slot(v, c, false);
     *pair.apart = apart_until(v, pair, branch, gap);
     return false;
   }
   if (is_sphere(v, pair.i) && is_sphere(v, pair.j)) {
-    const sc_contact_place place = sc_place_of_spheres(branch, radius_i, radius_j);
-    act_as_meeting(v, c, pair, {place, law_of_materials(v, pair), excess_of(v, pair), true, {}, 0}, findings);
+    const sc_shape_meeting m =
+        sc_meet_as_spheres(branch, radius_i, radius_j, law_of_materials(v, pair), excess_of(v, pair));
+    act_as_meeting(v, c, pair, m, 0, findings);
     return false;
   }
   out.c = c;
@@ -229,34 +194,29 @@ inline sc_growth_point start_of(const ShapeSearch& s) {
   return s.acted ? shape_memory(s.pair.memory).start : sc_growth_cold(s.growth);
 }
 
-/// How the pair meets, by what its search has found and how far apart the bodies are then at least.
-inline ShapeMeeting meeting_of(const SweepView& v, const ShapeSearch& s, const sc_shape_touch& found, double gap) {
+/// How the pair meets, by what its search has found, seen from the owner.
+inline sc_shape_meeting meeting_of(const SweepView& v, const ShapeSearch& s, const sc_shape_touch& found) {
   sc_shape_memory memory = shape_memory(s.pair.memory);
-  ShapeMeeting m;
-  m.apart_until = apart_until(v, s.pair, branch_between(s), gap);
-  m.in_reach = found.verdict == SC_GROWTH_TOUCHING;
-  if (m.in_reach && !s.acted) {
-    const double* inertia = v.shapes.inertia;
+  const double* inertia = v.shapes.inertia;
+  if (found.verdict == SC_GROWTH_TOUCHING && !s.acted)
     memory = sc_shapes_meet(s.first, s.second, found, inertia[4 * s.pair.i + 3], inertia[4 * s.pair.j + 3]);
-  }
   // What vertices tell follows from no potential, so there is no distance to refer to.
   if (v.shapes.vertices) memory.reach = 0;
-  m.memory = memory;
-  m.memory.start = found.start;
-  m.place = sc_place_of_shapes(sc_shape_touch_from(found, s.pair.owner_first), memory.radius);
-  const double ratio = sc_growth_ratio(memory.reach, found);
-  m.law = sc_law_of_growth(law_of_materials(v, s.pair), ratio);
-  m.excess = excess_of(v, s.pair) / ratio;
-  return m;
+  return sc_meet_as_found(sc_shape_touch_from(found, s.pair.owner_first), memory, law_of_materials(v, s.pair),
+                          excess_of(v, s.pair));
+}
+
+/// Evaluates what a search has found of bodies that are apart by `gap` at least then.
+inline void act_as_found(const SweepView& v, const ShapeSearch& s, const sc_shape_touch& found, double gap,
+                         SweepFindings& findings) {
+  act_as_meeting(v, s.c, s.pair, meeting_of(v, s, found), apart_until(v, s.pair, s.branch, gap), findings);
 }
 
 [[gnu::noinline]] void finish_contact(const SweepView& v, const ShapeSearch& s, const sc_growth_touch& ended,
                                       SweepFindings& findings) {
   const sc_vec branch = branch_between(s);
   const sc_shape_touch found = sc_shape_touch_of(s.first, s.second, branch, ended);
-  const bool touching = found.verdict == SC_GROWTH_TOUCHING && found.overlap > 0;
-  const double gap = touching ? 0 : sc_shapes_gap(s.first, s.second, branch, found.normal);
-  act_as_meeting(v, s.c, s.pair, meeting_of(v, s, found, gap), findings);
+  act_as_found(v, s, found, sc_gap_as_found(s.first, s.second, branch, found), findings);
 }
 
 /// Evaluates a contact that vertices decide about.
@@ -269,7 +229,7 @@ inline ShapeMeeting meeting_of(const SweepView& v, const ShapeSearch& s, const s
   const sc_shape_touch found = touch_by_vertices(of[v.shapes.form[first]], s.first, of[v.shapes.form[second]], s.second,
                                                  branch_between(s), parting);
   const double gap = found.verdict == SC_GROWTH_APART ? -found.overlap : 0;
-  act_as_meeting(v, s.c, s.pair, meeting_of(v, s, found, gap), findings);
+  act_as_found(v, s, found, gap, findings);
 }
 
 /// Evaluates candidate c alone and fills its slot.

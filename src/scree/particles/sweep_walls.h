@@ -77,15 +77,18 @@ inline void forget_wall(const SweepView& v, std::int32_t w) {
   if (v.walls.shape_memory) store4(v.walls.shape_memory + std::int64_t{wall_memory} * w, lane4{});
 }
 
-/// Moves the memory of one contact with a wall to another.
+/// Moves the memory of one contact with a wall to another. Where a shape touches and how deep it is are those of the
+/// face itself.
 inline void move_wall_memory(const SweepView& v, std::int32_t from, std::int32_t to) {
   v.walls.active[to] = v.walls.active[from];
   store4(v.walls.slide + std::int64_t{4} * to, load4(v.walls.slide + std::int64_t{4} * from));
   store4(v.walls.roll + std::int64_t{4} * to, load4(v.walls.roll + std::int64_t{4} * from));
-  if (v.walls.shape_memory)
-    for (int k = 0; k < wall_memory; k += 4)
-      store4(v.walls.shape_memory + std::int64_t{wall_memory} * to + k,
-             load4(v.walls.shape_memory + std::int64_t{wall_memory} * from + k));
+  if (v.walls.shape_memory) {
+    const double* old = v.walls.shape_memory + std::int64_t{wall_memory} * from;
+    double* row = v.walls.shape_memory + std::int64_t{wall_memory} * to;
+    store4(row, load4(old));  // where it was, and the distance
+    row[7] = old[7];          // the effective radius
+  }
   forget_wall(v, from);
 }
 

@@ -21,7 +21,7 @@ typedef unsigned long sc_bits;
 #define SC_REAL_OF(i) as_double(i)
 #endif
 #define SC_FN static inline
-#define SC_LONG_FN static
+#define SC_LONG_FN static __attribute__((noinline))
 #define SC_GLOBAL __global
 #define SC_SQRT(x) sqrt(x)
 #define SC_FABS(x) fabs(x)

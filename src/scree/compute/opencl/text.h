@@ -8,4 +8,7 @@ extern const char* const kernel_text;
 extern const char* const single_text;
 extern const char* const mixed_text;
 
+/// What follows that where some particles are no spheres.
+extern const char* const shape_kernel_text;
+
 }  // namespace scree::opencl

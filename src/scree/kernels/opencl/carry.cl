@@ -2,13 +2,14 @@
 #include "scree/kernels/opencl/parameters.h"
 
 /// Gives the contacts that act their memory from the lists of before; `order` says where each particle was, `place` where
-/// each has gone, -1 if he is here no more; who has come has had no place among the `n_before`. Faces keep their numbers. A
-/// contact that is on no list any more is noted in `lost`.
+/// each has gone, -1 if he is here no more; who has come has had no place among the `n_before`. Faces keep their numbers; of
+/// several places of one a memory takes the first that is free. A contact that is on no list any more is noted in `lost`.
 __kernel void sc_carry_over(const int n, const int n_before, const int of_faces, __global const int* order,
                             __global const int* place, __global const int* ghost, __global const int* old_counts,
-                            __global const uint* old_entries,
-                            __global const real4* old_slides, __global const real4* old_rolls, __global const int* counts,
-                            __global uint* entries, __global real4* slides, __global real4* rolls, __global int* lost) {
+                            __global const uint* old_entries, __global const real4* old_slides,
+                            __global const real4* old_rolls, __global const real4* old_shapes, __global const int* counts,
+                            __global uint* entries, __global real4* slides, __global real4* rolls, __global real4* shapes,
+                            __global int* lost) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)n) return;
   const size_t was = (size_t)order[i];
@@ -20,7 +21,7 @@ __kernel void sc_carry_over(const int n, const int n_before, const int of_faces,
     if (!of_faces && place[entry & SC_PARTNER] < 0) continue;
     const uint partner = of_faces ? entry & SC_PARTNER : (uint)place[entry & SC_PARTNER];
     int to = 0;
-    while (to < counts[i] && (entries[(size_t)to * (size_t)n + i] & SC_PARTNER) != partner) ++to;
+    while (to < counts[i] && entries[(size_t)to * (size_t)n + i] != partner) ++to;
     if (to == counts[i]) {
       atomic_inc(lost);
       continue;
@@ -29,6 +30,7 @@ __kernel void sc_carry_over(const int n, const int n_before, const int of_faces,
     entries[slot] = partner | (entry & ~SC_PARTNER);
     slides[slot] = old_slides[from];
     if (SC_ROLLS) rolls[slot] = old_rolls[from];
+    for (size_t l = 0; SC_SHAPED && l < 2; ++l) shapes[2 * slot + l] = old_shapes[2 * from + l];
   }
 }
 

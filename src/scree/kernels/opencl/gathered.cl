@@ -2,7 +2,7 @@
 #include "scree/kernels/opencl/parameters.h"
 #include "scree/physics/contact/law.h"
 
-// SC_GROUP, the items of a group, and the chosen laws are given by the host.
+// SC_GROUP, the items of a group, SC_SHAPED, whether some particles are no spheres, and the chosen laws are given by the host.
 #define SC_CHOSEN_LAWS \
   { SC_CHOSEN_NORMAL, SC_CHOSEN_TANGENTIAL, SC_CHOSEN_ROLLING, SC_CHOSEN_TWISTING, SC_CHOSEN_COHESION }
 #define SC_ROLLS (SC_CHOSEN_ROLLING != SC_ROLLING_NONE || SC_CHOSEN_TWISTING != SC_TWISTING_NONE)
@@ -72,4 +72,11 @@ SC_FN sc_gathered sc_gather(sc_gathered g, sc_sphere_touch t, sc_contact_action 
   g.loss_sliding += share * a.loss_sliding;
   g.loss_rolling += share * a.loss_rolling;
   return g;
+}
+
+/// What the contact of a body with a wall remembers besides, from one slot to another: where it was, and radius and distance; the
+/// arm is that of the new slot.
+SC_FN void sc_copy_shape_memory(__global real4* shapes, size_t from, size_t to) {
+  shapes[2 * to] = shapes[2 * from];
+  shapes[2 * to + 1].w = shapes[2 * from + 1].w;
 }

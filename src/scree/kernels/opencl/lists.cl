@@ -1,5 +1,6 @@
 // Lists of partners on a device, from particles that are sorted by cell.
 #include "scree/kernels/opencl/parameters.h"
+#include "scree/physics/touch/wall_places.h"
 
 /// The cells that a particle's partners may be in along one axis: at most three, each once.
 typedef struct {
@@ -70,9 +71,10 @@ __kernel void sc_find_partners(const sc_box box, const sc_cells cells, const sc_
   atomic_max(most, count);
 }
 
-/// Lists all faces of walls nearer than `skin` to the effect surface of each particle that can move, by rising number.
+/// Lists all faces of walls nearer than `skin` to the effect surface of each particle that can move, by rising number; where
+/// one that is no sphere may touch at several places, a face as often.
 __kernel void sc_find_faces(const sc_counts sizes, const real skin, __global const double4* motion,
-                            __global const real* excess, __global const sc_wall* faces,
+                            __global const real* excess, __global const int* form, __global const sc_wall* faces,
                             __global const sc_wall_pose* poses, __global const int* ghost, __global int* counts,
                             __global uint* entries, __global int* most) {
   const size_t i = get_global_id(0);
@@ -85,8 +87,9 @@ __kernel void sc_find_faces(const sc_counts sizes, const real skin, __global con
   for (int face = 0; face < all; ++face) {
     const sc_wall wall = faces[face];
     if (!(sc_gap_to_wall(wall, poses[wall.body], sc_first(own)).distance < reach)) continue;
-    if (count < sizes.room) entries[(size_t)count * n + i] = (uint)face;
-    ++count;
+    const int places = SC_SHAPED && form[i] != 0 ? sc_wall_places(wall.kind) : 1;
+    for (int k = 0; k < places; ++k, ++count)
+      if (count < sizes.room) entries[(size_t)count * n + i] = (uint)face;
   }
   counts[i] = count < sizes.room ? count : sizes.room;
   atomic_max(most, count);
@@ -95,8 +98,8 @@ __kernel void sc_find_faces(const sc_counts sizes, const real skin, __global con
 /// Copies the lists of some particles, named by `rows`, into lists of these alone.
 __kernel void sc_take_lists(const int count, __global const int* rows, const int n, __global const int* counts,
                             __global const uint* entries, __global const double4* slides, __global const double4* rolls,
-                            __global int* part_counts, __global uint* part_entries, __global double4* part_slides,
-                            __global double4* part_rolls) {
+                            __global const double4* shapes, __global int* part_counts, __global uint* part_entries,
+                            __global double4* part_slides, __global double4* part_rolls, __global double4* part_shapes) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)count) return;
   const size_t row = (size_t)rows[i];
@@ -106,6 +109,7 @@ __kernel void sc_take_lists(const int count, __global const int* rows, const int
     part_entries[to] = entries[from];
     part_slides[to] = slides[from];
     if (SC_ROLLS) part_rolls[to] = rolls[from];
+    for (size_t l = 0; SC_SHAPED && l < 2; ++l) part_shapes[2 * to + l] = shapes[2 * from + l];
   }
 }
 

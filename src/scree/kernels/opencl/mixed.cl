@@ -179,11 +179,12 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass_mixe
     const int near_count = p.counts.faces > 0 ? face_counts[i] : 0;
     const sc_near_faces f = {i,     (size_t)p.counts.particles,   near_count,
                              faces, poses + step * p.counts.walls, near_faces,
-                             face_slides, face_rolls, gaps, corners};
+                             face_slides, face_rolls, gaps, corners, 0, 0, 0};
     const sc_acting acting = {fields, {streams, pulls, befores}};
     const sc_books books = {losses, works, impulses, angulars, drag_impulses};
     const sc_row wide = sc_widen_row(s, own, place, rests, i);
-    const sc_sphere_motion q = sc_go(p, wide, sc_zero_vec(), sc_widen_gathered(s, g), f, laws, acting, books, &found);
+    const sc_sphere_motion q =
+        sc_go(p, wide, sc_zero_vec(), sc_widen_gathered(s, g), f, laws, acting, books, &found).motion;
     sc_store_mixed(s, i, q.position, q, here, rest, own, rests, images, near_out, speed_out, spin_out, &found);
     found.stale = sc_is_stale(s, q.position, listed[i], near_out[i], p.stale_square);
   }

@@ -36,9 +36,9 @@ SC_FN void sc_note_speed(sc_vec velocity, sc_found* found) {
   found->unsound |= !(square < R(1e300));
 }
 
-/// Writes where a sphere has gone, and notes how.
-SC_FN void sc_store(sc_device_step p, size_t i, sc_row own, sc_sphere_motion q, real4 listed, __global int4* images,
-                    __global real4* motion_out, __global real4* spin_out, sc_found* found) {
+/// Writes where a centre has gone and how fast it is, and notes how.
+SC_FN void sc_store_centre(sc_device_step p, size_t i, sc_row own, sc_centre_moved q, real4 listed, __global int4* images,
+                           __global real4* motion_out, sc_found* found) {
   const int4 image = images[i];
   const sc_wrapped x = sc_wrap(q.position.x, p.box.low[0], p.box.high[0], p.box.period[0], image.x);
   const sc_wrapped y = sc_wrap(q.position.y, p.box.low[1], p.box.high[1], p.box.period[1], image.y);
@@ -48,31 +48,31 @@ SC_FN void sc_store(sc_device_step p, size_t i, sc_row own, sc_sphere_motion q, 
   const real4 place = (real4)(x.x, y.x, z.x, own.place.w);
   motion_out[2 * i] = place;
   motion_out[2 * i + 1] = (real4)(q.velocity.x, q.velocity.y, q.velocity.z, own.speed.w);
-  spin_out[i] = (real4)(q.rim.x, q.rim.y, q.rim.z, own.rim.w);
   const sc_vec way = sc_branch(p.box, listed, place);
   sc_note_speed(q.velocity, found);
   found->outside |= x.outside | y.outside | z.outside;
   found->stale |= !(sc_dot(way, way) <= p.stale_square);
 }
 
-/// Adds to the books of particle i what is not zero.
-SC_FN void sc_store_books(sc_device_step p, size_t i, sc_sphere_motion s, sc_gathered walls, sc_gathered all,
-                          sc_sphere_moved moved, int among_others, sc_books books) {
+SC_FN void sc_store_losses(size_t i, sc_gathered all, __global real4* losses) {
   if (all.loss_normal != R(0) || all.loss_sliding != R(0) || all.loss_rolling != R(0))
-    books.losses[i] += (real4)(all.loss_normal, all.loss_sliding, all.loss_rolling, R(0));
+    losses[i] += (real4)(all.loss_normal, all.loss_sliding, all.loss_rolling, R(0));
+}
+
+/// Adds to the books of particle i what is not zero: of a force and a torque as sc_book() takes them, and of fields.
+SC_FN void sc_store_books(sc_device_step p, size_t i, sc_centre before, sc_vec force, sc_vec torque, sc_centre_moved moved,
+                          real prescribed_work, int among_others, sc_books books) {
   if (!among_others && !p.book_gravity) return;
-  const sc_sphere_load load = sc_load_of(s.inverse_mass > R(0) ? walls : all);
-  const sc_vec torque = sc_add_scaled(load.couple, s.radius, load.turn);
-  const sc_booked b = sc_book(p.move, sc_centre_of_sphere(s), load.force, torque, moved.centre, p.book_gravity);
+  const sc_booked b = sc_book(p.move, before, force, torque, moved, p.book_gravity);
   books.angulars[i] += (real4)(b.angular.x, b.angular.y, b.angular.z, R(0));
   if (!among_others) return;
   if (SC_CHOSEN_COUPLED) {
     // What a fluid that is solved for does to a particle is one work, whatever part of it the pressure has.
-    const sc_vec drag = moved.centre.drag_impulse;
-    books.works[i] += (real4)(moved.centre.drag_work + moved.centre.body_work, R(0), moved.prescribed_work, R(0));
+    const sc_vec drag = moved.drag_impulse;
+    books.works[i] += (real4)(moved.drag_work + moved.body_work, R(0), prescribed_work, R(0));
     books.drag_impulses[i] += (real4)(drag.x, drag.y, drag.z, p.move.kick);
   } else {
-    books.works[i] += (real4)(moved.centre.drag_work, moved.centre.body_work, moved.prescribed_work, R(0));
+    books.works[i] += (real4)(moved.drag_work, moved.body_work, prescribed_work, R(0));
   }
   books.impulses[i] += (real4)(b.impulse.x, b.impulse.y, b.impulse.z, R(0));
 }
@@ -106,26 +106,18 @@ SC_FN sc_findings sc_add_found(sc_findings f, sc_found sum) {
   return f;
 }
 
-SC_FN sc_gathered sc_gather_both(sc_gathered a, sc_gathered b) {
-  a.force = sc_add(a.force, b.force);
-  a.turn = sc_add(a.turn, b.turn);
-  a.couple = sc_add(a.couple, b.couple);
-  a.loss_normal += b.loss_normal;
-  a.loss_sliding += b.loss_sliding;
-  a.loss_rolling += b.loss_rolling;
-  return a;
+/// Adds what walls gave to what partners gave.
+SC_FN sc_gathered sc_gather_walls(sc_gathered g, sc_gathered walls) {
+  g.force = sc_add(g.force, walls.force);
+  g.turn = sc_add(g.turn, walls.turn);
+  g.couple = sc_add(g.couple, walls.couple);
+  g.loss_normal += walls.loss_normal;
+  g.loss_sliding += walls.loss_sliding;
+  g.loss_rolling += walls.loss_rolling;
+  return g;
 }
 
-/// Moves a sphere that has gathered its contacts with others: walls, fields, books. Its new position counts from `start`.
-SC_FN sc_sphere_motion sc_go(sc_device_step p, sc_row own, sc_vec start, sc_gathered all_of, sc_near_faces f,
-                             __global const sc_pair_law* laws, sc_acting acting, sc_books books, sc_found* found) {
-  const size_t i = f.particle;
-  sc_gathered of_walls = sc_nothing_gathered();
-  const int free_body = own.speed.w > R(0);
-  if (free_body && p.counts.faces > 0) {
-    of_walls = sc_meet_walls(p, own, f, laws, books.works, found);
-    all_of = sc_gather_both(all_of, of_walls);
-  }
+SC_FN sc_sphere_motion sc_sphere_at(sc_row own) {
   sc_sphere_motion s;
   s.position = sc_first(own.place);
   s.velocity = sc_first(own.speed);
@@ -133,17 +125,44 @@ SC_FN sc_sphere_motion sc_go(sc_device_step p, sc_row own, sc_vec start, sc_gath
   s.radius = own.place.w;
   s.inverse_mass = own.speed.w;
   s.inverse_radius = own.rim.w;
+  return s;
+}
+
+/// The law of motion for what a particle may meet.
+SC_FN sc_move sc_move_at(sc_device_step p) {
   sc_move m = p.move;
   m.drag = SC_CHOSEN_DRAG;
-  const sc_field field = SC_CHOSEN_FIELDS == SC_FIELDS_APART  ? acting.fields[i]
-                         : SC_CHOSEN_FIELDS == SC_FIELDS_HERE ? sc_field_at(p, sc_centre_of_sphere(s), acting.said, i)
-                                                              : sc_no_field();
+  return m;
+}
+
+/// What acts on particle i besides contacts.
+SC_FN sc_field sc_field_on(sc_device_step p, sc_centre centre, sc_acting acting, size_t i) {
+  return SC_CHOSEN_FIELDS == SC_FIELDS_APART  ? acting.fields[i]
+         : SC_CHOSEN_FIELDS == SC_FIELDS_HERE ? sc_field_at(p, centre, acting.said, i)
+                                              : sc_no_field();
+}
+
+/// Moves a sphere that has gathered its contacts with others: walls, fields, books. Its new position counts from `start`.
+SC_FN sc_sphere_moved sc_go(sc_device_step p, sc_row own, sc_vec start, sc_gathered all_of, sc_near_faces f,
+                            __global const sc_pair_law* laws, sc_acting acting, sc_books books, sc_found* found) {
+  const size_t i = f.particle;
+  sc_gathered of_walls = sc_nothing_gathered();
+  const int free_body = own.speed.w > R(0);
+  if (free_body && p.counts.faces > 0) {
+    of_walls = sc_meet_walls(p, own, f, laws, books.works, found);
+    all_of = sc_gather_walls(all_of, of_walls);
+  }
+  const sc_sphere_motion s = sc_sphere_at(own);
   sc_sphere_motion from = s;
   from.position = start;
-  const sc_sphere_moved moved = sc_move_sphere(m, from, sc_load_of(all_of), field);
+  const sc_field field = sc_field_on(p, sc_centre_of_sphere(s), acting, i);
+  const sc_sphere_moved moved = sc_move_sphere(sc_move_at(p), from, sc_load_of(all_of), field);
   const int among_others = SC_CHOSEN_FIELDS != SC_FIELDS_NONE || !free_body || of_walls.near;
-  sc_store_books(p, i, s, of_walls, all_of, moved, among_others, books);
-  return moved.motion;
+  const sc_gathered push = free_body ? of_walls : all_of;
+  sc_store_losses(i, all_of, books.losses);
+  sc_store_books(p, i, sc_centre_of_sphere(s), push.force, sc_add_scaled(push.couple, s.radius, push.turn), moved.centre,
+                 moved.prescribed_work, among_others, books);
+  return moved;
 }
 
 /// Joins what all items of a group have found, two by two; no barrier is under a condition. What makes steps that were given
@@ -165,6 +184,7 @@ SC_FN void sc_report(sc_device_step p, int step, sc_found found, int halted, __l
   if (halted && get_global_id(0) == 0) stale[step + 1] = 1;
 }
 
+#if !SC_SHAPED
 /// One step, number `step` of those that `poses` ([step][wall]) were sent for. Nothing happens if lists did not hold any more
 /// after an earlier one, or if what acts in this one is lost.
 __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
@@ -188,13 +208,16 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
     const int near_count = p.counts.faces > 0 ? face_counts[i] : 0;
     const sc_near_faces f = {i,     (size_t)p.counts.particles,   near_count,
                              faces, poses + step * p.counts.walls, near_faces,
-                             face_slides, face_rolls, gaps, corners};
+                             face_slides, face_rolls, gaps, corners, 0, 0, 0};
     const sc_acting acting = {fields, {streams, pulls, befores}};
     const sc_books books = {losses, works, impulses, angulars, drag_impulses};
     const sc_row own = sc_read_row(state, i, sc_place_at(p.box, state, i));
     const sc_gathered g = sc_meet_partners(meeting, i, own, state, laws, counts[i], partners, slides, rolls, &found);
-    const sc_sphere_motion q = sc_go(p, own, sc_first(own.place), g, f, laws, acting, books, &found);
-    sc_store(p, i, own, q, listed[i], images, motion_out, spin_out, &found);
+    const sc_sphere_moved q = sc_go(p, own, sc_first(own.place), g, f, laws, acting, books, &found);
+    sc_store_centre(p, i, own, q.centre, listed[i], images, motion_out, &found);
+    const sc_vec rim = q.motion.rim;
+    spin_out[i] = (real4)(rim.x, rim.y, rim.z, own.rim.w);
   }
   sc_report(p, step, found, halted, all, stale, findings);
 }
+#endif

@@ -19,19 +19,21 @@ static_assert(SC_SPEED_QUANTUM == speed_quantum);
 
 /// The laws and the fields are constants of the kernels, so that the choice folds away. Names of single precision begin
 /// with SF.
-std::string options_for(const sc_laws& laws, const Fields& fields, bool coupled, std::size_t group,
-                        bool several_ranks) {
+std::string options_for(const ParticleSystem& s, const Fields& fields, std::size_t group, bool several_ranks) {
+  const sc_laws& laws = s.laws;
   std::string options = fmt::format("-cl-std=CL1.2 -DSC_SEVERAL_RANKS={:d}", several_ranks);
   for (const char* prefix : {"SC", "SF"})
     options += fmt::format(
-        " -D{0}_GROUP={1} -D{0}_CHOSEN_NORMAL={2} -D{0}_CHOSEN_TANGENTIAL={3} -D{0}_CHOSEN_ROLLING={4} "
-        "-D{0}_CHOSEN_TWISTING={5} -D{0}_CHOSEN_COHESION={6}",
-        prefix, group, laws.normal, laws.tangential, laws.rolling, laws.twisting, laws.cohesion);
-  return options + DeviceFields::options(fields, coupled);
+        " -D{0}_GROUP={1} -D{0}_SHAPED={2:d} -D{0}_CHOSEN_NORMAL={3} -D{0}_CHOSEN_TANGENTIAL={4} "
+        "-D{0}_CHOSEN_ROLLING={5} -D{0}_CHOSEN_TWISTING={6} -D{0}_CHOSEN_COHESION={7}",
+        prefix, group, s.particles.shaped(), laws.normal, laws.tangential, laws.rolling, laws.twisting, laws.cohesion);
+  return options + DeviceFields::options(fields, s.particles.coupled());
 }
 
-std::string text_for(Precision precision, const Fields& fields) {
-  const std::string text = DeviceFields::formulas(fields) + opencl::kernel_text;
+/// Kernels of shapes take a device's compiler longer than all others, so that only who needs them has them.
+std::string text_for(Precision precision, const Fields& fields, bool shaped) {
+  const std::string text =
+      DeviceFields::formulas(fields) + opencl::kernel_text + (shaped ? opencl::shape_kernel_text : "");
   return precision == Precision::full ? text : opencl::single_text + text + opencl::mixed_text;
 }
 
@@ -51,8 +53,8 @@ sc_box box_of(const Domain& domain) {
 DeviceSpheres::DeviceSpheres(const opencl::Device& device, Precision precision, const ParticleSystem& s,
                              const ContactLists& lists, const Fields& fields, double max_overlap)
     : device_(device),
-      program_(device, text_for(precision, fields),
-               options_for(s.laws, fields, s.particles.coupled(), group, !lists.ranks.alone())),
+      program_(device, text_for(precision, fields, s.particles.shaped()),
+               options_for(s, fields, group, !lists.ranks.alone())),
       fields_(device, fields, s.particles),
       laws_of_run_(s.laws),
       first_law_(s.materials.law[0]),
@@ -70,43 +72,50 @@ DeviceSpheres::DeviceSpheres(const opencl::Device& device, Precision precision, 
   constants_.max_overlap = max_overlap;
   wraps_ = s.domain.periodic;
   laws_ = opencl::sent(device_, s.materials.law);
-  const bool single = precision == Precision::mixed;
-  if (single) mixed_.emplace(device_, s, range_ + 2 * std::max(skin_, longest_skin_));
+  if (precision == Precision::mixed) mixed_.emplace(device_, s, range_ + 2 * std::max(skin_, longest_skin_));
+  if (s.particles.shaped()) send_shapes(s);
   check_kernels();
+  if (shapes_) check_shapes(s.forms);
   if (!lists.ranks.alone()) join(s, lists);
   send_particles(s.particles);
   send_walls(s);
   send_contacts(s);
-  fresh_ = make_room(n_, first_room, single);
-  fresh_face_lists_ = make_room(n_, faces_ > 0 ? std::min(static_cast<int>(faces_), first_face_room) : 0, false);
+  if (shapes_)
+    lists_ = make_room(n_, first_room, Remembers::nothing);
+  else
+    fresh_ = make_room(n_, first_room, lists_.remembers);
+  const int face_room = faces_ > 0 ? std::min(static_cast<int>(faces_), first_face_room) : 0;
+  fresh_face_lists_ = make_room(n_, face_room, face_lists_.remembers);
 }
 
-std::size_t DeviceSpheres::groups() const { return (n_ + group - 1) / group; }
+std::size_t DeviceSpheres::groups() const { return (rows_ + group - 1) / group; }
 
 sc_counts DeviceSpheres::counts() const {
   return {static_cast<int>(n_), lists_.room, materials_, static_cast<int>(faces_), static_cast<int>(walls_), 0};
 }
 
-DeviceSpheres::Lists DeviceSpheres::make_room(std::size_t particles, int room, bool single) const {
+DeviceSpheres::Lists DeviceSpheres::make_room(std::size_t particles, int room, Remembers remembers) const {
   const std::size_t slots = particles * static_cast<std::size_t>(room);
-  const std::size_t memory = slots * 4 * (single ? sizeof(float) : sizeof(double));
+  const std::size_t number = remembers == Remembers::laws_in_single ? sizeof(float) : sizeof(double);
+  const std::size_t memory = remembers == Remembers::nothing ? 0 : slots * 4 * number;
   return {particles,
           room,
-          single,
+          remembers,
           {device_, particles * sizeof(std::int32_t)},
           {device_, slots * sizeof(std::uint32_t)},
           {device_, memory},
-          {device_, rolls_ ? memory : 0}};
+          {device_, rolls_ ? memory : 0},
+          {device_, remembers == Remembers::laws_and_places ? 2 * memory : 0}};
 }
 
 std::optional<MemoryUnits> DeviceSpheres::slide_units(const Lists& lists) const {
-  if (!lists.single) return {};
+  if (lists.remembers != Remembers::laws_in_single) return {};
   return mixed_->slide_units();
 }
 
 /// Angles have none.
 std::optional<MemoryUnits> DeviceSpheres::roll_units(const Lists& lists) const {
-  if (!lists.single) return {};
+  if (lists.remembers != Remembers::laws_in_single) return {};
   return MemoryUnits{};
 }
 
@@ -135,52 +144,6 @@ void DeviceSpheres::send_particles(const Particles& particles) {
 void DeviceSpheres::send_walls(const ParticleSystem& s) {
   wall_faces_ = opencl::sent(device_, s.walls.faces);
   wall_poses_ = opencl::DeviceBuffer(device_, most_given * walls_ * sizeof(sc_wall_pose));
-}
-
-/// Contacts that act are sent as lists of their own, each pair from both sides; the first real lists take them over.
-void DeviceSpheres::send_contacts(const ParticleSystem& s) {
-  const PairContacts& c = s.contacts;
-  const auto entry = [](std::int32_t other, std::uint8_t code) {
-    return static_cast<std::uint32_t>(other) | static_cast<std::uint32_t>(code) << SC_CODE_SHIFT;
-  };
-  std::vector<Side> sides;
-  for (std::size_t k = 0; k < c.pairs.count; ++k) {
-    if (!c.active[k]) continue;
-    const std::int32_t a = c.pairs.owner[k], b = c.pairs.partner[k];
-    const double *slide = &c.slide[4 * k], *roll = rolls_ ? &c.roll[4 * k] : nullptr;
-    sides.push_back({static_cast<std::size_t>(a), entry(b, c.active[k]), slide, roll, 1});
-    sides.push_back({static_cast<std::size_t>(b), entry(a, c.active[k]), slide, roll, -1});
-  }
-  lists_ = sent_sides(sides, mixed_.has_value());
-  sides.clear();
-  const WallContacts& w = s.wall_contacts;
-  for (std::size_t p = 0; p + 1 < w.first.size(); ++p)
-    for (std::int32_t k = w.first[p]; k < w.first[p + 1]; ++k)
-      if (w.active[k])
-        sides.push_back({p, entry(w.wall[k], w.active[k]), &w.slide[4 * std::size_t(k)],
-                         rolls_ ? &w.roll[4 * std::size_t(k)] : nullptr, 1});
-  face_lists_ = sent_sides(sides, false);
-}
-
-DeviceSpheres::Lists DeviceSpheres::sent_sides(const std::vector<Side>& sides, bool single) const {
-  std::vector<std::int32_t> count(n_);
-  for (const Side& side : sides) ++count[side.particle];
-  Lists lists = make_room(n_, n_ ? *std::max_element(count.begin(), count.end()) : 0, single);
-  const std::size_t slots = n_ * static_cast<std::size_t>(lists.room);
-  std::vector<std::uint32_t> entries(slots);
-  std::vector<double> slides(4 * slots), rolls(rolls_ ? 4 * slots : 0);
-  std::fill(count.begin(), count.end(), 0);
-  for (const Side& side : sides) {
-    const std::size_t slot = static_cast<std::size_t>(count[side.particle]++) * n_ + side.particle;
-    entries[slot] = side.entry;
-    for (std::size_t l = 0; l < 4; ++l) slides[4 * slot + l] = (l < 3 ? side.sign : 1) * side.slide[l];
-    for (std::size_t l = 0; rolls_ && l < 4; ++l) rolls[4 * slot + l] = (l < 3 ? side.sign : 1) * side.roll[l];
-  }
-  lists.counts.write(count.data(), n_ * sizeof(std::int32_t));
-  lists.entries.write(entries.data(), slots * sizeof(std::uint32_t));
-  write_memory(lists.slides, slides, slide_units(lists));
-  write_memory(lists.rolls, rolls, roll_units(lists));
-  return lists;
 }
 
 void DeviceSpheres::step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls, double now) {
@@ -219,32 +182,43 @@ void DeviceSpheres::launch(const Given& given, int number) {
   constants_.book_gravity =
       constants_.box.period[0] + constants_.box.period[1] + constants_.box.period[2] == 0 && sc_dot(g, g) > 0;
   const int from = (now_ + number) % 2, to = 1 - from;
-  const auto pass = [&](const char* kernel, const auto&... state) {
-    program_.run(kernel, n_, group, constants_, number, stale_, state..., laws_, lists_.counts, lists_.entries,
-                 lists_.slides, lists_.rolls, wall_faces_, wall_poses_, face_lists_.counts, face_lists_.entries,
-                 face_lists_.slides, face_lists_.rolls, gaps_, corners_, columns_.at("image"), fields_.found(),
-                 column_or_none("stream"), column_or_none("pull"), column_or_none("before"), columns_.at("loss"),
-                 columns_.at("work"), columns_.at("impulse"), columns_.at("angular_impulse"),
-                 column_or_none("drag_impulse"), found_);
-  };
-  const opencl::DeviceBuffer& material = columns_.at("material");
-  if (mixed_) {
-    const MixedState& m = *mixed_;
-    pass("sc_pass_mixed", m.space, m.near[from], m.speed[from], m.spin[from], m.near[to], m.speed[to], m.spin[to],
-         m.rest_places, m.rest_speeds, m.rest_spins, m.excess_of, material, m.listed, m.laws);
-    return;
-  }
   meet_fields(number, from);
   if (borders_) share_lost(number);
-  pass("sc_pass", fields_.lost(), motion_[from], spin_[from], motion_[to], spin_[to], columns_.at("effect_excess"),
-       material, ghost_flags(), columns_.at("id"), listed_);
+  if (shapes_)
+    launch_shapes(number, from, to);
+  else if (mixed_)
+    launch_mixed(number, from, to);
+  else
+    launch_spheres(number, from, to);
+}
+
+/// The step of spheres; `state` is what the kernel calls so.
+template <class... State>
+void DeviceSpheres::pass(const char* kernel, int number, const State&... state) {
+  program_.run(kernel, n_, group, constants_, number, stale_, state..., laws_, lists_.counts, lists_.entries,
+               lists_.slides, lists_.rolls, wall_faces_, wall_poses_, face_lists_.counts, face_lists_.entries,
+               face_lists_.slides, face_lists_.rolls, gaps_, corners_, columns_.at("image"), fields_.found(),
+               column_or_none("stream"), column_or_none("pull"), column_or_none("before"), columns_.at("loss"),
+               columns_.at("work"), columns_.at("impulse"), columns_.at("angular_impulse"),
+               column_or_none("drag_impulse"), found_);
+}
+
+void DeviceSpheres::launch_spheres(int number, int from, int to) {
+  pass("sc_pass", number, fields_.lost(), motion_[from], spin_[from], motion_[to], spin_[to],
+       columns_.at("effect_excess"), columns_.at("material"), ghost_flags(), columns_.at("id"), listed_);
+}
+
+void DeviceSpheres::launch_mixed(int number, int from, int to) {
+  const MixedState& m = *mixed_;
+  pass("sc_pass_mixed", number, m.space, m.near[from], m.speed[from], m.spin[from], m.near[to], m.speed[to], m.spin[to],
+       m.rest_places, m.rest_speeds, m.rest_spins, m.excess_of, columns_.at("material"), m.listed, m.laws);
 }
 
 /// What the steps have found since the last time.
 void DeviceSpheres::add_findings(DeviceFindings& to) {
   SweepFindings own;
   std::vector<std::int64_t> sums(4, 0);  // contacts, with walls, impacts, their speeds
-  for (const sc_findings& f : found_.values<sc_findings>(groups())) {
+  for (const sc_findings& f : found_.values<sc_findings>(found_.bytes() / sizeof(sc_findings))) {
     own.fastest2 = std::max(own.fastest2, f.fastest_square);
     own.deepest = std::max(own.deepest, f.deepest);
     own.contacts += f.contacts;
@@ -296,6 +270,7 @@ DeviceFindings DeviceSpheres::settle() {
   while (!given_.empty()) {
     send_poses();
     if (!listed_already_) make_lists();
+    if (shapes_) shapes_->looked.clear();
     const Done done = borders_ ? do_in_turn() : do_ahead();
     now_ = static_cast<int>((now_ + done.steps) % 2);
     steps_listed_ += done.steps;
@@ -326,7 +301,7 @@ std::size_t DeviceSpheres::bytes() const {
         &cell_of_, &cell_first_, &cursor_, &order_, &place_, &scratch_, &found_})
     sum += b->bytes();
   for (const Lists* l : {&lists_, &fresh_, &face_lists_, &fresh_face_lists_}) sum += l->bytes();
-  return sum;
+  return sum + (shapes_ ? shapes_->bytes() : 0);
 }
 
 }  // namespace scree

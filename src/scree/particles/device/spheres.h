@@ -1,4 +1,4 @@
-// Spheres on an OpenCL device: they stay there from step to step, with their contacts and their books.
+// Particles on an OpenCL device: they stay there from step to step, with their contacts and their books.
 #pragma once
 
 #include <array>
@@ -16,6 +16,8 @@
 #include "scree/particles/device/fields.h"
 #include "scree/particles/device/mixed_state.h"
 #include "scree/particles/device/precision.h"
+#include "scree/particles/device/shapes.h"
+#include "scree/particles/keyed_contacts.h"
 #include "scree/particles/reach.h"
 #include "scree/particles/system.h"
 
@@ -44,8 +46,8 @@ struct PartOfDevice {
   std::vector<std::int32_t> rows;  // where each stands on the device
 };
 
-/// The engine of a system of spheres on a device. In full precision it gives the same bits as the CPU's: the physics is
-/// the same text, and sums go in the order of ids.
+/// The engine of a system of spheres, or of bodies of any shape, on a device. In full precision it gives the same bits
+/// as the CPU's: the physics is the same text, and sums go in the order of ids.
 class DeviceSpheres {
  public:
   /// Compiles the kernels for the laws of the system, checks them against the host's numbers and sends the system's
@@ -96,20 +98,37 @@ class DeviceSpheres {
   static constexpr std::size_t most_given = SC_MOST_GIVEN;
   static constexpr std::size_t group = 128;  // items of a group
 
+  /// What the contacts on a list remember: those of shapes with partners do so by pairs, with walls more than spheres.
+  enum class Remembers { nothing, laws, laws_in_single, laws_and_places };
   struct Lists {
     std::size_t particles = 0;
-    int room = 0;         // for contacts of each
-    bool single = false;  // what contacts remember is in single precision, in the units of the run
-    opencl::DeviceBuffer counts, entries, slides, rolls;
+    int room = 0;  // for contacts of each
+    Remembers remembers = Remembers::laws;
+    opencl::DeviceBuffer counts, entries, slides, rolls, shapes;
 
-    std::size_t bytes() const { return counts.bytes() + entries.bytes() + slides.bytes() + rolls.bytes(); }
+    std::size_t bytes() const {
+      return counts.bytes() + entries.bytes() + slides.bytes() + rolls.bytes() + shapes.bytes();
+    }
   };
   /// One side of a contact that acts.
   struct Side {
     std::size_t particle;
     std::uint32_t entry;
-    const double *slide, *roll;
+    const double *slide, *roll, *shape;
     double sign;  // of directions
+  };
+  /// A contact that acts, as it is brought back.
+  struct Acting {
+    std::size_t particle;
+    std::uint32_t other, code;           // the partner or the face; contact_code()
+    const double *slide, *roll, *shape;  // null where nothing of the kind is remembered
+    double overlap;                      // of a shape with a wall in the last step [m]
+  };
+  /// A pair of bodies of any shape that acts.
+  struct ActingPair {
+    std::size_t number;
+    std::uint32_t code;                 // contact_code()
+    std::array<std::uint32_t, 2> rows;  // of the owner and the partner
   };
   struct Given {
     sc_move move;
@@ -136,18 +155,27 @@ class DeviceSpheres {
   void check_single_law();
   std::vector<std::array<double, 16>> single_results(const sc_contact_time& time, const std::vector<float>& touches,
                                                      const std::vector<float>& states);
+  void check_shapes(const Forms& forms);
+  [[noreturn]] void refuse(const std::string& what) const;
   void send_particles(const Particles& particles);
   void send_contacts(const ParticleSystem& system);
   void send_walls(const ParticleSystem& system);
   void send_poses();
-  Lists sent_sides(const std::vector<Side>& sides, bool single) const;
+  void send_shapes(const ParticleSystem& system);
+  void send_pairs(const ParticleSystem& system);
+  void send_sides(const ParticleSystem& system);
+  Lists sent_sides(const std::vector<Side>& sides, Remembers remembers) const;
   std::optional<MemoryUnits> slide_units(const Lists& lists) const;
   std::optional<MemoryUnits> roll_units(const Lists& lists) const;
   template <class Visit>
   void for_each_acting(const Lists& lists, Visit&& visit) const;
+  std::vector<ActingPair> acting_pairs() const;
+  std::vector<ActingPair> pairs_of_some(const std::vector<std::int32_t>& asked) const;
+  template <class IdOf>
+  KeyedContacts remembered_by(const std::vector<ActingPair>& acting, IdOf&& id_of) const;
   template <class IdOf>
   Luggage remembered(const Lists& pairs, const Lists& faces, const std::vector<std::int64_t>& id, IdOf&& id_of) const;
-  Lists make_room(std::size_t particles, int room, bool single) const;
+  Lists make_room(std::size_t particles, int room, Remembers remembers) const;
   void reserve(std::size_t rows);
   opencl::DeviceBuffer& column(std::string_view name);
   const opencl::DeviceBuffer& column(std::string_view name) const;
@@ -181,6 +209,9 @@ class DeviceSpheres {
   void share_lost(int step);
   Done do_ahead();
   Done do_in_turn();
+  DevicePairs make_pairs(std::size_t room) const;
+  void make_room_for_pairs(std::size_t count);
+  void list_pairs();
   void make_lists();
   void sort_particles();
   void permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t count);
@@ -190,16 +221,24 @@ class DeviceSpheres {
   template <class Search>
   void search_into(Lists& lists, Search&& search);
   void carry_over(Lists& from, Lists& to, bool of_faces);
-  void find_partners();
+  void demand_none_lost() const;
+  void find_partners(Lists& to);
   void find_faces();
+  void list_faces();
   void fit_cells();
   void adapt_skin();
   void launch(const Given& given, int number);
   void meet_fields(int number, int from);
   const opencl::DeviceBuffer& column_or_none(std::string_view name) const;
+  template <class... State>
+  void pass(const char* kernel, int number, const State&... state);
+  void launch_spheres(int number, int from, int to);
+  void launch_mixed(int number, int from, int to);
+  void launch_shapes(int number, int from, int to);
   void add_findings(DeviceFindings& to);
   sc_counts counts() const;
-  std::size_t groups() const;
+  std::size_t groups() const;  // of all particles that there is memory for
+  std::size_t finding_groups() const;
 
   const opencl::Device& device_;
   opencl::Program program_;
@@ -232,6 +271,7 @@ class DeviceSpheres {
   opencl::DeviceBuffer gaps_, corners_;           // of the listed faces, in the present step
   opencl::DeviceBuffer cell_of_, cell_first_, cursor_, order_, place_, gone_, scratch_, found_, stale_, counters_;
   Lists lists_, fresh_, face_lists_, fresh_face_lists_;
+  std::optional<DeviceShapes> shapes_;  // where some particles are no spheres
   std::vector<Given> given_;
   Particles alike_;                       // none, with the fields that there are
   std::optional<DeviceBorders> borders_;  // where there are several ranks

@@ -17,11 +17,6 @@ namespace {
 
 constexpr int tries = 64;
 
-[[noreturn]] void refuse(const opencl::Device& device, const std::string& what) {
-  throw ResourceError(fmt::format("{} ({}, driver {}) does not compute as this program does: {}", device.info().name,
-                                  device.info().platform, device.info().driver, what));
-}
-
 /// Numbers between -1 and 1 that depend on their place alone.
 double draw(int contact, int place) {
   return 2 * uniform_pair(
@@ -91,6 +86,11 @@ std::array<double, 16> numbers_of(const SingleResult& r) {
 
 }  // namespace
 
+void DeviceSpheres::refuse(const std::string& what) const {
+  throw ResourceError(fmt::format("{} ({}, driver {}) does not compute as this program does: {}", device_.info().name,
+                                  device_.info().platform, device_.info().driver, what));
+}
+
 void DeviceSpheres::check_kernels() {
   check_sizes("sc_sizes", {sizeof(sc_device_step), sizeof(sc_findings), sizeof(sc_wall), sizeof(sc_wall_pose),
                            sizeof(sc_field), sizeof(sc_flow_shape)});
@@ -110,7 +110,7 @@ void DeviceSpheres::check_sizes(const char* kernel, const std::vector<int>& expe
   opencl::DeviceBuffer found(device_, expected.size() * sizeof(int));
   program_.run(kernel, 1, 1, found);
   if (const auto sizes = found.values<int>(expected.size()); sizes != expected)
-    refuse(device_, fmt::format("structs have the sizes {}, not {}", fmt::join(sizes, " "), fmt::join(expected, " ")));
+    refuse(fmt::format("structs have the sizes {}, not {}", fmt::join(sizes, " "), fmt::join(expected, " ")));
 }
 
 /// A scan over several blocks.
@@ -122,7 +122,7 @@ void DeviceSpheres::check_sums() {
   scan(values, static_cast<int>(numbers.size()));
   const auto sums = values.values<std::int32_t>(numbers.size());
   std::exclusive_scan(numbers.begin(), numbers.end(), numbers.begin(), 0);
-  if (sums != numbers) refuse(device_, "sums of integers differ");
+  if (sums != numbers) refuse("sums of integers differ");
 }
 
 /// The chosen law, to the last bit.
@@ -146,8 +146,8 @@ void DeviceSpheres::check_law() {
     const auto mine = numbers_of(own), its = numbers_of(theirs[k]);
     for (std::size_t l = 0; l < mine.size(); ++l)
       if (!(mine[l] == its[l]) && !(std::isnan(mine[l]) && std::isnan(its[l])))
-        refuse(device_, fmt::format("number {} of a contact's law is {:.17g}, not {:.17g}", l, its[l], mine[l]));
-    if (own.action.touching != theirs[k].action.touching) refuse(device_, "it takes a contact for none");
+        refuse(fmt::format("number {} of a contact's law is {:.17g}, not {:.17g}", l, its[l], mine[l]));
+    if (own.action.touching != theirs[k].action.touching) refuse("it takes a contact for none");
   }
 }
 
@@ -177,8 +177,7 @@ void DeviceSpheres::check_single_law() {
       const double own = mine[k][l], its = theirs[k][l];
       if (std::abs(its - own) <= most_wrong * largest[l] || (std::isnan(its) && std::isnan(own))) continue;
       if (++decided > most_decided)
-        refuse(device_,
-               fmt::format("number {} of a contact's law in single precision is {:.9g}, not {:.9g}", l, its, own));
+        refuse(fmt::format("number {} of a contact's law in single precision is {:.9g}, not {:.9g}", l, its, own));
       break;
     }
 }

@@ -1,4 +1,4 @@
-// Spheres on a device: putting them in the order of their cells, and finding partners.
+// Particles on a device: putting them in the order of their cells, and finding partners.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -110,21 +110,21 @@ void DeviceSpheres::search_into(Lists& lists, Search&& search) {
   const int none[2] = {0, 0};
   for (;;) {
     counters_.write(none, sizeof none);
-    if (lists.particles != n_) lists = make_room(n_, lists.room, lists.single);
+    if (lists.particles != n_) lists = make_room(n_, lists.room, lists.remembers);
     sc_counts sizes = counts();
     sizes.room = lists.room;
     search(sizes);
     const int most = counters_.values<std::int32_t>(1)[0];
     if (most <= lists.room) return;
-    lists = make_room(n_, most + most / 8 + 1, lists.single);
+    lists = make_room(n_, most + most / 8 + 1, lists.remembers);
   }
 }
 
-void DeviceSpheres::find_partners() {
-  search_into(fresh_, [&](const sc_counts& sizes) {
+void DeviceSpheres::find_partners(Lists& to) {
+  search_into(to, [&](const sc_counts& sizes) {
     program_.run("sc_find_partners", n_, group, constants_.box, cells_, sizes, skin_ + beyond_, column("motion"),
-                 columns_.at("effect_excess"), columns_.at("id"), ghost_flags(), cell_first_, fresh_.counts,
-                 fresh_.entries, counters_);
+                 columns_.at("effect_excess"), columns_.at("id"), ghost_flags(), cell_first_, to.counts, to.entries,
+                 counters_);
   });
 }
 
@@ -132,22 +132,29 @@ void DeviceSpheres::find_faces() {
   Lists& to = fresh_face_lists_;
   search_into(to, [&](const sc_counts& sizes) {
     program_.run("sc_find_faces", n_, group, sizes, skin_ + beyond_, column("motion"), columns_.at("effect_excess"),
-                 wall_faces_, wall_poses_, ghost_flags(), to.counts, to.entries, counters_);
+                 column_or_none("form"), wall_faces_, wall_poses_, ghost_flags(), to.counts, to.entries, counters_);
   });
+}
+
+/// A wall may jump away from a contact; two particles cannot part so fast.
+void DeviceSpheres::demand_none_lost() const {
+  if (counters_.values<std::int32_t>(1)[0] != 0)
+    throw std::logic_error("a contact that acts is on no list of the device");
 }
 
 /// Gives fresh lists the memory of those before, and their place.
 void DeviceSpheres::carry_over(Lists& from, Lists& to, bool of_faces) {
   const int none[2] = {0, 0};
   counters_.write(none, sizeof none);
-  program_.run(from.single ? "sf_carry_over" : "sc_carry_over", n_, group, static_cast<int>(n_),
+  to.shapes.clear();  // spheres among shapes have nothing there
+  const bool single = from.remembers == Remembers::laws_in_single;
+  program_.run(single ? "sf_carry_over" : "sc_carry_over", n_, group, static_cast<int>(n_),
                static_cast<int>(from.particles), static_cast<int>(of_faces), order_, place_, ghost_flags(), from.counts,
-               from.entries, from.slides, from.rolls, to.counts, to.entries, to.slides, to.rolls, counters_);
-  // A wall may jump away from a contact; two particles cannot part so fast.
-  const bool lost = counters_.values<std::int32_t>(1)[0] != 0;
-  if (lost && !of_faces) throw std::logic_error("a contact that acts is on no list of the device");
+               from.entries, from.slides, from.rolls, from.shapes, to.counts, to.entries, to.slides, to.rolls,
+               to.shapes, counters_);
+  if (!of_faces) demand_none_lost();
   std::swap(from, to);
-  if (to.room < from.room) to = make_room(n_, from.room, from.single);
+  if (to.room < from.room) to = make_room(n_, from.room, from.remembers);
 }
 
 /// Notes where everybody is.
@@ -158,22 +165,29 @@ void DeviceSpheres::note_places() {
     program_.run("sc_note_places", n_, group, static_cast<int>(n_), motion_[now_], listed_);
 }
 
+void DeviceSpheres::list_faces() {
+  find_faces();
+  carry_over(face_lists_, fresh_face_lists_, true);
+  const std::size_t slots = n_ * static_cast<std::size_t>(face_lists_.room);
+  if (corners_.bytes() >= slots * sizeof(std::int32_t)) return;
+  gaps_ = opencl::DeviceBuffer(device_, slots * 4 * sizeof(double));
+  corners_ = opencl::DeviceBuffer(device_, slots * sizeof(std::int32_t));
+  if (shapes_) shapes_->places = opencl::DeviceBuffer(device_, slots * 3 * 4 * sizeof(double));
+}
+
 void DeviceSpheres::make_lists() {
   adapt_skin();
   if (borders_) meet_others();
   sort_particles();
   if (borders_) follow_others();
-  find_partners();
-  carry_over(lists_, fresh_, false);
-  if (faces_ > 0) {
-    find_faces();
-    carry_over(face_lists_, fresh_face_lists_, true);
-    const std::size_t slots = n_ * static_cast<std::size_t>(face_lists_.room);
-    if (corners_.bytes() < slots * sizeof(std::int32_t)) {
-      gaps_ = opencl::DeviceBuffer(device_, slots * 4 * sizeof(double));
-      corners_ = opencl::DeviceBuffer(device_, slots * sizeof(std::int32_t));
-    }
+  if (shapes_) {
+    find_partners(lists_);
+    list_pairs();
+  } else {
+    find_partners(fresh_);
+    carry_over(lists_, fresh_, false);
   }
+  if (faces_ > 0) list_faces();
   if (borders_) unpack_luggage();
   note_places();
   steps_listed_ = 0;

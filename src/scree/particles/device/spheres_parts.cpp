@@ -1,5 +1,6 @@
 // Particles and contacts that come back from a device, all or some of them, and that go there while a run goes on.
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <numeric>
 #include <unordered_map>
@@ -20,8 +21,10 @@ void take_properties(const ParticleSystem& from, ParticleSystem& to) {
   to.laws = from.laws;
   to.materials = from.materials;
   to.walls = from.walls;
+  to.forms = from.forms;
 }
 
+/// Adds a contact by its key; no roll where none is remembered.
 void remember(KeyedContacts& to, std::int64_t a, std::int64_t b, const double* slide, const double* roll,
               std::uint32_t code) {
   to.ids.insert(to.ids.end(), {a, b});
@@ -33,8 +36,20 @@ void remember(KeyedContacts& to, std::int64_t a, std::int64_t b, const double* s
 /// Makes lists of the contacts that act.
 void put_contacts(ParticleSystem& system, const Luggage& acting, bool rolls) {
   const RowsById rows = rows_of_held(system.particles);
-  system.contacts = pairs_of(acting.pairs, rows, rolls, false);
+  system.contacts = pairs_of(acting.pairs, rows, rolls, system.particles.shaped());
   system.wall_contacts = walls_of(acting.walls, rows, system.particles, system.walls.size());
+}
+
+/// How deep shapes were in walls in the last step, which the guard asks for; contacts of a particle stay in their
+/// order.
+void note_overlaps(ParticleSystem& system, const Luggage& acting, const std::vector<double>& overlaps) {
+  const RowsById rows = rows_of_held(system.particles);
+  WallContacts& walls = system.wall_contacts;
+  std::vector<std::int32_t> next(walls.first.begin(), walls.first.end());
+  for (std::size_t c = 0; c < overlaps.size(); ++c) {
+    const auto w = static_cast<std::size_t>(next[static_cast<std::size_t>(rows.at(acting.walls.ids[2 * c]))]++);
+    walls.shape[wall_memory * w + wall_scratch + 1] = overlaps[c];
+  }
 }
 
 }  // namespace
@@ -82,25 +97,36 @@ Buffer<sc_field> DeviceSpheres::bring_back_fields() const {
   return out;
 }
 
-/// Calls visit(particle, entry, slide, roll) for every contact that acts, slot by slot; no roll where none is
-/// remembered.
+/// Calls visit(contact) for every contact that acts, slot by slot.
 template <class Visit>
 void DeviceSpheres::for_each_acting(const Lists& lists, Visit&& visit) const {
+  if (lists.remembers == Remembers::nothing) return;
   const std::size_t n = lists.particles;
   const auto count = lists.counts.values<std::int32_t>(n);
   const auto read_slot = [&](int k, const opencl::DeviceBuffer& buffer, const std::optional<MemoryUnits>& units) {
     return buffer.bytes() ? read_memory(buffer, static_cast<std::size_t>(k) * n, n, units) : std::vector<double>();
+  };
+  const auto read_wide = [&](int k, const opencl::DeviceBuffer& buffer, std::size_t width) {
+    std::vector<double> rows(buffer.bytes() ? width * n : 0);
+    const std::size_t bytes = rows.size() * sizeof(double);
+    buffer.read(rows.data(), bytes, static_cast<std::size_t>(k) * bytes);
+    return rows;
+  };
+  const auto row = [](const std::vector<double>& rows, std::size_t width, std::size_t i) {
+    return rows.empty() ? nullptr : &rows[width * i];
   };
   const int most = n ? *std::max_element(count.begin(), count.end()) : 0;
   for (int k = 0; k < most; ++k) {
     std::vector<std::uint32_t> entry(n);
     lists.entries.read(entry.data(), n * sizeof(std::uint32_t),
                        static_cast<std::size_t>(k) * n * sizeof(std::uint32_t));
-    const auto slide = read_slot(k, lists.slides, slide_units(lists));
-    const auto roll = read_slot(k, lists.rolls, roll_units(lists));
+    const auto slide = read_slot(k, lists.slides, slide_units(lists)),
+               roll = read_slot(k, lists.rolls, roll_units(lists)), shape = read_wide(k, lists.shapes, wall_scratch),
+               place = &lists == &face_lists_ && shapes_ ? read_wide(k, shapes_->places, 12) : std::vector<double>();
     for (std::size_t i = 0; i < n; ++i)
       if (k < count[i] && entry[i] >> SC_CODE_SHIFT != 0)
-        visit(i, entry[i], &slide[4 * i], roll.empty() ? nullptr : &roll[4 * i]);
+        visit(Acting{i, entry[i] & SC_PARTNER, entry[i] >> SC_CODE_SHIFT, &slide[4 * i], row(roll, 4, i),
+                     row(shape, wall_scratch, i), place.empty() ? 0.0 : place[12 * i + 7]});
   }
 }
 
@@ -110,17 +136,19 @@ template <class IdOf>
 Luggage DeviceSpheres::remembered(const Lists& pairs, const Lists& faces, const std::vector<std::int64_t>& id,
                                   IdOf&& id_of) const {
   Luggage out;
-  for_each_acting(pairs, [&](std::size_t i, std::uint32_t entry, const double* slide, const double* roll) {
-    const auto [other, listed] = id_of(entry & SC_PARTNER);
+  for_each_acting(pairs, [&](const Acting& c) {
+    const auto [other, listed] = id_of(c.other);
     // Both sides know a pair. It is told from the lower id, or from the only one that is asked.
-    if (id[i] < other) return remember(out.pairs, id[i], other, slide, roll, entry >> SC_CODE_SHIFT);
+    const std::int64_t own = id[c.particle];
+    if (own < other) return remember(out.pairs, own, other, c.slide, c.roll, c.code);
     if (listed) return;
     double turned[8];
-    for (int l = 0; l < 8; ++l) turned[l] = (l % 4 < 3 ? -1 : 1) * (l < 4 ? slide[l] : roll ? roll[l - 4] : 0.0);
-    remember(out.pairs, other, id[i], turned, turned + 4, entry >> SC_CODE_SHIFT);
+    for (int l = 0; l < 8; ++l) turned[l] = (l % 4 < 3 ? -1 : 1) * (l < 4 ? c.slide[l] : c.roll ? c.roll[l - 4] : 0.0);
+    remember(out.pairs, other, own, turned, turned + 4, c.code);
   });
-  for_each_acting(faces, [&](std::size_t i, std::uint32_t entry, const double* slide, const double* roll) {
-    remember(out.walls, id[i], entry & SC_PARTNER, slide, roll, entry >> SC_CODE_SHIFT);
+  for_each_acting(faces, [&](const Acting& c) {
+    remember(out.walls, id[c.particle], c.other, c.slide, c.roll, c.code);
+    if (c.shape) out.walls.shape.insert(out.walls.shape.end(), c.shape, c.shape + wall_scratch);
   });
   return out;
 }
@@ -129,6 +157,33 @@ Luggage DeviceSpheres::remembered(const Lists& pairs, const Lists& faces, const 
 std::vector<std::int32_t> DeviceSpheres::ghosts() const {
   std::vector<std::int32_t> out(n_, 0);
   if (borders_) ghost_flags().read(out.data(), n_ * sizeof out[0]);
+  return out;
+}
+
+/// The rows of the owner and the partner of every pair of bodies of any shape that acts, and its number.
+std::vector<DeviceSpheres::ActingPair> DeviceSpheres::acting_pairs() const {
+  const auto rows = shapes_->pairs.rows.values<std::array<std::uint32_t, 2>>(shapes_->pairs.count);
+  std::vector<ActingPair> out;
+  for (std::size_t c = 0; c < rows.size(); ++c)
+    if (const std::uint32_t code = rows[c][0] >> SC_CODE_SHIFT)
+      out.push_back({c, code, {rows[c][0] & SC_PARTNER, rows[c][1]}});
+  return out;
+}
+
+/// What pairs of bodies of any shape remember; `id_of` tells ids by rows.
+template <class IdOf>
+KeyedContacts DeviceSpheres::remembered_by(const std::vector<ActingPair>& acting, IdOf&& id_of) const {
+  const DevicePairs& pairs = shapes_->pairs;
+  KeyedContacts out;
+  const auto slides = pairs.slides.values<double>(4 * pairs.count);
+  const auto rolls = pairs.rolls.values<double>(rolls_ ? 4 * pairs.count : 0);
+  const auto shapes = pairs.shapes.values<double>(pair_memory * pairs.count);
+  for (const ActingPair& pair : acting) {
+    const std::size_t c = pair.number;
+    remember(out, id_of(pair.rows[0]), id_of(pair.rows[1]), &slides[4 * c], rolls_ ? &rolls[4 * c] : nullptr,
+             pair.code);
+    out.shape.insert(out.shape.end(), &shapes[pair_memory * c], &shapes[pair_memory * c] + pair_scratch);
+  }
   return out;
 }
 
@@ -142,7 +197,8 @@ void DeviceSpheres::bring_back(ParticleSystem& system) {
   const std::vector<std::int64_t> id(p.id.values.begin(), p.id.values.end());
   const std::vector<std::int32_t> ghost = ghosts();
   const auto id_of = [&](std::uint32_t row) { return std::pair(id[row], ghost[row] == 0); };
-  const Luggage acting = remembered(lists_, face_lists_, id, id_of);
+  Luggage acting = remembered(lists_, face_lists_, id, id_of);
+  if (shapes_) acting.pairs = remembered_by(acting_pairs(), [&](std::uint32_t row) { return id[row]; });
   std::vector<std::uint32_t> own = order_by_id(p);
   std::erase_if(own, [&](std::uint32_t row) { return ghost[row] != 0; });
   Bytes copies;
@@ -153,6 +209,12 @@ void DeviceSpheres::bring_back(ParticleSystem& system) {
     unpack_rows(p, own.size(), borders_->ghosts.size(), everything, copies.data());
   }
   put_contacts(system, acting, rolls_);
+  if (!shapes_) return;
+  std::vector<double> overlaps;
+  for_each_acting(face_lists_, [&](const Acting& c) {
+    if (c.shape) overlaps.push_back(c.overlap);
+  });
+  note_overlaps(system, acting, overlaps);
 }
 
 /// Memory for so many rows; those that are there stay.
@@ -175,7 +237,7 @@ void DeviceSpheres::reserve(std::size_t rows) {
   for (opencl::DeviceBuffer* places : {&cell_of_, &order_, &place_, &gone_}) grow(*places, sizeof(std::int32_t));
   if (!mixed_) grow(listed_, 4 * sizeof(double));
   scratch_ = opencl::DeviceBuffer(device_, rows_ * widest);
-  found_ = opencl::DeviceBuffer(device_, (rows_ + group - 1) / group * sizeof(sc_findings));
+  found_ = opencl::DeviceBuffer(device_, finding_groups() * sizeof(sc_findings));
 }
 
 /// The rows of the particles in regions, rising.
@@ -198,11 +260,11 @@ std::vector<std::int32_t> DeviceSpheres::found_rows() {
 
 /// Copies of the lists of some particles.
 DeviceSpheres::Lists DeviceSpheres::taken(const Lists& lists, const std::vector<std::int32_t>& rows) {
-  Lists out = make_room(rows.size(), lists.room, lists.single);
+  Lists out = make_room(rows.size(), lists.room, lists.remembers);
   if (rows.empty()) return out;
   program_.run("sc_take_lists", rows.size(), group, static_cast<int>(rows.size()), opencl::sent(device_, rows),
-               static_cast<int>(lists.particles), lists.counts, lists.entries, lists.slides, lists.rolls, out.counts,
-               out.entries, out.slides, out.rolls);
+               static_cast<int>(lists.particles), lists.counts, lists.entries, lists.slides, lists.rolls, lists.shapes,
+               out.counts, out.entries, out.slides, out.rolls, out.shapes);
   return out;
 }
 
@@ -220,14 +282,26 @@ Particles DeviceSpheres::particles_at(const std::vector<std::int32_t>& rows) {
   return out;
 }
 
+/// The acting pairs of which one side at least is among the rows.
+std::vector<DeviceSpheres::ActingPair> DeviceSpheres::pairs_of_some(const std::vector<std::int32_t>& asked) const {
+  std::vector<ActingPair> out = acting_pairs();
+  std::erase_if(out, [&](const ActingPair& pair) {
+    return std::none_of(pair.rows.begin(), pair.rows.end(), [&](std::uint32_t row) {
+      return std::binary_search(asked.begin(), asked.end(), static_cast<std::int32_t>(row));
+    });
+  });
+  return out;
+}
+
 /// The contacts of the particles in `rows`, whose ids are `id`.
 DeviceSpheres::ContactsOfSome DeviceSpheres::contacts_of(const std::vector<std::int32_t>& rows,
                                                          const std::vector<std::int64_t>& id) {
   ContactsOfSome out;
-  const Lists pairs = taken(lists_, rows), faces = taken(face_lists_, rows);
-  for_each_acting(pairs, [&](std::size_t, std::uint32_t entry, auto...) {
-    out.partners.push_back(static_cast<std::int32_t>(entry & SC_PARTNER));
-  });
+  const Lists pairs = shapes_ ? Lists{} : taken(lists_, rows), faces = taken(face_lists_, rows);
+  const std::vector<ActingPair> of_shapes = shapes_ ? pairs_of_some(rows) : std::vector<ActingPair>();
+  for_each_acting(pairs, [&](const Acting& c) { out.partners.push_back(static_cast<std::int32_t>(c.other)); });
+  for (const ActingPair& pair : of_shapes)
+    for (const std::uint32_t row : pair.rows) out.partners.push_back(static_cast<std::int32_t>(row));
   const std::vector<std::int64_t> partner_ids = ids_at(out.partners);
   std::unordered_map<std::uint32_t, std::int64_t> partner;
   for (std::size_t k = 0; k < partner_ids.size(); ++k)
@@ -236,6 +310,7 @@ DeviceSpheres::ContactsOfSome DeviceSpheres::contacts_of(const std::vector<std::
   out.contacts = remembered(pairs, faces, id, [&](std::uint32_t row) {
     return std::pair(partner.at(row), asked.contains(static_cast<std::int32_t>(row)));
   });
+  if (shapes_) out.contacts.pairs = remembered_by(of_shapes, [&](std::uint32_t row) { return partner.at(row); });
   return out;
 }
 

@@ -49,7 +49,7 @@ bool shapes_touch(ParticleSystem& s, std::size_t c, std::optional<sc_shape_touch
                gap = s.vertices ? std::max(by_support, -found.overlap) : by_support,
                reach = p.motion.row(i)[lane::radius] + p.motion.row(j)[lane::radius];
   store4(memory, lane4{});
-  s.contacts.apart[c] = apart_until(way, free_way(gap, sc_norm(branch), reach, s.domain.shortest_period()));
+  s.contacts.apart[c] = sc_apart_until(way, sc_free_way(gap, sc_norm(branch), reach, s.domain.shortest_period()));
   return false;
 }
 

@@ -13,9 +13,9 @@
 
 #include "scree/physics/math.h"
 #include "scree/physics/touch/body_face.h"
-#include "scree/physics/touch/frustum.h"
+#include "scree/physics/touch/wall_places.h"
 
-enum { SC_FRUSTUM_ANGLES = 32, SC_FRUSTUM_GAPS = 4 };
+enum { SC_FRUSTUM_ANGLES = 32 };
 
 /// A frustum as a body sees it, from the centre of the body.
 typedef struct {

@@ -6,9 +6,6 @@
 #include "scree/physics/touch/shape_contact.h"
 #include "scree/physics/touch/sphere_wall.h"
 
-/// How many places of contact a face may have.
-SC_FN int sc_wall_places(int kind) { return kind == SC_WALL_FRUSTUM ? SC_FRUSTUM_GAPS : 1; }
-
 /// A flat face of four corners, or three.
 typedef struct {
   sc_vec corner[4];  // [m]
