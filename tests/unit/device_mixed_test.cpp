@@ -110,6 +110,18 @@ TEST(DeviceMixed, HasThemForDustAndForBoulders) {
   expect_forces_of(500, linear);
 }
 
+TEST(DeviceMixed, ItsUnitsMakeNumbersNearOne) {
+  // Products of five small lengths and times of dust would be no numbers of single precision in SI units.
+  for (const double size : {1e-4, 1.0, 1e4}) {
+    const Simulation s(case_of(bed(size, linear)), 1);
+    const sc_fixed_space space = fixed_space_of(s.system(), 0.01 * size);
+    const double radius = 1e-3 * size, mass = 2000 * 4.19 * radius * radius * radius;
+    EXPECT_LT(std::abs(std::log2(radius / space.length)), 1) << size;
+    EXPECT_LT(std::abs(std::log2(mass / space.mass)), 1) << size;
+    EXPECT_LT(std::abs(std::log2(in_units(s.system().materials.law[0], space).stiffness)), 2) << size;
+  }
+}
+
 TEST(DeviceMixed, KeepsTheSlowestMotion) {
   const std::string slow = "[1e-7, -1e-7, 3e-8]";
   Simulation s = in_mixed(case_of(flight(three, slow, 1e-6)));
