@@ -2,6 +2,7 @@
 
 import csv
 import itertools
+import json
 import os
 import pathlib
 import re
@@ -68,6 +69,14 @@ class VortexAgglomeration(InTemporary):
         call(VORTEX / "figures.py", self.directory, "--scree", PROGRAM, "--stokes", 1, "--pictures", self.directory)
         for name in ("field", "paths", "agglomerates", "courses", "speeds", "places"):
             self.assertGreater((self.directory / f"{name}.png").stat().st_size, 2000)
+
+    def test_only_runs_that_came_to_their_end_are_measured(self):
+        for seed, status in ((1, "finished"), (2, "failed"), (3, "interrupted")):
+            place = cases.directory(self.directory, 1, 0.25, seed)
+            place.mkdir()
+            (place / "summary.json").write_text(json.dumps({"status": status}))
+            (place / "series.csv").write_text("time,contacts,particles\n0,0,2\n1,1,2\n")
+        self.assertEqual([(point, len(runs)) for point, runs in measure.runs_of(self.directory).items()], [((1, 0.25), 1)])
 
     def test_the_flow_is_that_of_the_program(self):
         call(PROGRAM, "run", VORTEX / "case.toml", "-o", self.directory, "--quiet", "--until", 1e-5, "--force")

@@ -27,7 +27,6 @@ class Base:
         self.diameter, self.gap = grains["diameter"], grains["effect_gap"]
         self.density, self.restitution = powder["density"], powder["restitution"]
         self.stiffness = powder["stiffness"]
-        self.step = case["simulation"]["time_step"]
         self.reduced_mass = self.density * math.pi / 6 * self.diameter**3 / 2
 
     def viscosity(self, stokes):

@@ -2,6 +2,7 @@
 """The numbers of the study: a row per Stokes and stickiness number, from runs of study.py. usage: measure.py RUNS TABLE.csv"""
 
 import csv
+import json
 import pathlib
 import re
 import sys
@@ -13,7 +14,7 @@ import cases
 
 STUDENT = {2: 12.706, 3: 4.303, 4: 3.182, 5: 2.776, 6: 2.571}  # 95 %, by the number of seeds
 MEANS = ("agglomerated_fraction", "mean_agglomerate_size", "largest_agglomerate", "agglomerates", "contacts_per_sphere",
-         "fractal_dimension", "collision_speed")
+         "fractal_dimension", "collision_speed", "max_overlap")
 COLUMNS = ["stokes", "stickiness_number", "seeds", "turnovers", *(c for m in MEANS for c in (m, f"{m}_95")),
            "fraction_drift", "size_drift", "stationary"]
 LAST = 1 / 3           # of the run is averaged
@@ -26,12 +27,17 @@ def series(place):
     return rfn.append_fields(rows, "contacts_per_sphere", 2 * rows["contacts"] / rows["particles"], usemask=False)
 
 
+def finished(place):
+    summary = place / "summary.json"
+    return summary.exists() and json.loads(summary.read_text())["status"] == "finished"
+
+
 def runs_of(directory):
     """All finished runs, by Stokes and stickiness number; those of different seeds as far as the shortest goes."""
     found = {}
     for place in sorted(directory.glob("stokes*_stickiness*_seed*")):
         stokes, stickiness, _ = map(float, re.findall(r"[a-z]([0-9.]+)", place.name))
-        if (place / "summary.json").exists():
+        if finished(place):
             found.setdefault((stokes, stickiness), []).append(series(place))
     for runs in found.values():
         shortest = min(len(run) for run in runs)

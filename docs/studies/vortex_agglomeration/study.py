@@ -12,6 +12,8 @@ import sys
 
 import cases
 
+INTERRUPTED = 130  # exit code of `scree`
+
 
 def numbers(text):
     return tuple(float(word) for word in text.split(","))
@@ -22,7 +24,7 @@ def arguments(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("runs", type=pathlib.Path, help="directory of the runs")
     parser.add_argument("--scree", default="scree", help="the program")
-    parser.add_argument("--turnovers", type=float, default=10, help="when the runs end")
+    parser.add_argument("--turnovers", type=float, default=5, help="when the runs end")
     parser.add_argument("--stokes", type=numbers, default=cases.STOKES)
     parser.add_argument("--stickiness", type=numbers, default=cases.STICKINESS)
     parser.add_argument("--seeds", type=numbers, default=cases.SEEDS)
@@ -38,24 +40,30 @@ def reached(place):
 
 
 def run(options, extra, base, point):
+    """Runs a point as far as is asked; the exit code of `scree run`."""
     place = cases.directory(options.runs, *point)
     end, time = options.turnovers * base.turnover, reached(place)
     if time is not None and time > end - 1e-9 * end:
-        return
+        return 0
     go_on = ["--restart", place] if any((place / "checkpoints").glob("*.h5")) else ["--force"]
     print(f"Stokes {point[0]:g}, stickiness {point[1]:g}, seed {point[2]:g}", flush=True)
-    subprocess.run([options.scree, "run", base.path, "-o", place, "--threads", "1", "--quiet", *go_on,
-                    *cases.settings(base, *point, options.turnovers), *extra], check=True)
+    return subprocess.run([options.scree, "run", base.path, "-o", place, "--threads", "1", "--quiet", *go_on,
+                           *cases.settings(base, *point, options.turnovers), *extra]).returncode
 
 
 def main():
     options, extra = arguments(sys.argv[1:])
     base = cases.Base()
+    failed = 0
     for seed in options.seeds:  # after each seed there is a whole table
         for stokes in options.stokes:
             for stickiness in options.stickiness:
-                run(options, extra, base, (stokes, stickiness, int(seed)))
+                code = run(options, extra, base, (stokes, stickiness, int(seed)))
+                if code == INTERRUPTED:
+                    return code
+                failed += code != 0
+    return failed
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
