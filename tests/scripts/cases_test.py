@@ -66,7 +66,7 @@ class Cases(unittest.TestCase):
     def test_every_case_passes_the_check(self):
         cases = sorted([*SOURCE.glob("examples/*/case.toml"), *SOURCE.glob("verify/*/case.toml"),
                         *SOURCE.glob("verify/long/*/case.toml"),
-                        *SOURCE.glob("bench/*.toml")])
+                        *SOURCE.glob("bench/*.toml"), *SOURCE.glob("docs/studies/*/*.toml")])
         self.assertGreater(len(cases), 25)
         for case in cases:
             with self.subTest(case=case.relative_to(SOURCE).as_posix()):
