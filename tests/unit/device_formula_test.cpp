@@ -44,7 +44,7 @@ std::vector<double> on_device(const std::vector<std::string>& formulas) {
   }
   const opencl::Device device(first_device());
   opencl::Program program(device, DeviceFields::formulas({}) + opencl::kernel_text + kernel + "}\n",
-                          "-cl-std=CL1.2 -DSC_GROUP=128 -DSC_CHOSEN_NORMAL=0 -DSC_CHOSEN_TANGENTIAL=0 "
+                          "-cl-std=CL1.2 -DSC_GROUP=128 -DSC_SHAPED=0 -DSC_CHOSEN_NORMAL=0 -DSC_CHOSEN_TANGENTIAL=0 "
                           "-DSC_CHOSEN_ROLLING=0 -DSC_CHOSEN_TWISTING=0 -DSC_CHOSEN_COHESION=0" +
                               DeviceFields::options({}, false));
   std::vector<double> at;
