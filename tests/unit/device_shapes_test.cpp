@@ -215,5 +215,24 @@ TEST(DeviceShapes, AreRefusedWhereVerticesFindTheirContacts) {
   }
 }
 
+TEST(DeviceShapes, AreRefusedByNameInWhatTheyDoNotFeelYet) {
+  const auto refused = [](const std::string& more, bool several = false) {
+    try {
+      refuse_on_device(case_of(periodic(rough, more)), several);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing");
+  };
+  EXPECT_EQ(refused(gravity), "nothing");
+  EXPECT_NE(refused(gravity, true).find("no spheres are not there yet on the devices of several"), std::string::npos);
+  EXPECT_NE(refused("[gravity]\ntype = \"expression\"\nexpression = [\"0\", \"0\", \"-9.81\"]\n").find("formulas"),
+            std::string::npos);
+  const std::string air = "[flow]\ntype = \"uniform\"\nvelocity = [1, 0, 0]\ndensity = 1.2\nviscosity = 1.8e-5\n";
+  EXPECT_EQ(refused(air + "drag = \"schiller_naumann\"\n"), "nothing");
+  EXPECT_NE(refused(air + "drag = \"haider_levenspiel\"\n").find("forces of a flow"), std::string::npos);
+  EXPECT_THROW(refuse_in_mixed(case_of(periodic(rough))), InputError);
+}
+
 }  // namespace
 }  // namespace scree
