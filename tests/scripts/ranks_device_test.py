@@ -1,8 +1,12 @@
 """Runs on several processes, each with an OpenCL device: what one process on the processors gives. usage:
 ranks_device_test.py PROGRAM MPIEXEC"""
 
+import os
 import re
 import unittest
+
+# Processes share the processors that PoCL makes a device of: each of them is to take one.
+os.environ["POCL_MAX_PTHREAD_COUNT"] = "1"
 
 from ranks_common import CROWD, SPHERES_COME, TURNED, Ranks
 
@@ -64,7 +68,7 @@ class OnDevices(Ranks):
         self.same_on_devices(without_planes(CROWD), [2, 3])
 
     def test_a_swarm_for_which_blocks_are_cut_anew(self):
-        self.same_on_devices(SWARM, [2, 4])
+        self.same_on_devices(SWARM, [4])
 
     def test_particles_that_come_and_go(self):
         self.same_on_devices(without_planes(SPHERES_COME), [2])
