@@ -1,6 +1,7 @@
 """Runs on several processes, each with an OpenCL device: what one process on the processors gives. usage:
 ranks_device_test.py PROGRAM MPIEXEC"""
 
+import json
 import os
 import re
 import unittest
@@ -69,6 +70,8 @@ class OnDevices(Ranks):
 
     def test_a_swarm_for_which_blocks_are_cut_anew(self):
         self.same_on_devices(SWARM, [4])
+        shared = json.loads((self.work / "on4/summary.json").read_text())
+        self.assertLess(shared["sharing"]["most_particles"], 1.3 * shared["particles"] / 4)
 
     def test_particles_that_come_and_go(self):
         self.same_on_devices(without_planes(SPHERES_COME), [2])

@@ -124,6 +124,23 @@ inline void expect_the_same(const std::string& text, int steps, const Overrides&
   EXPECT_EQ(device.books, truth.books);
 }
 
+/// Steps on the CPU, then on the device, then on the CPU again, by way of checkpoints.
+inline void expect_the_same_in_turns(const Case& c, const std::array<int, 3>& steps) {
+  const Told truth = told_on_cpu(c, steps[0] + steps[1] + steps[2]);
+  Simulation first(c, 1);
+  advance(first, steps[0]);
+  const Archive started = first.save();
+  Simulation second(c, 1, &started);
+  second.restore(started);
+  second.use_device(first_device());
+  advance(second, steps[1]);
+  const Archive carried = second.save();
+  Simulation third(c, 1, &carried);
+  third.restore(carried);
+  advance(third, steps[2]);
+  EXPECT_EQ(told_by(third), truth);
+}
+
 /// What a run stops with, and after how many steps.
 inline std::pair<std::string, std::int64_t> failure_of(const Case& c, bool on_device,
                                                        Precision precision = Precision::full) {

@@ -80,19 +80,7 @@ TEST(DeviceExchange, StopsWithTheCpuWhenAFeedIsLate) {
 
 TEST(DeviceExchange, GoesOnFromTheCpuAndBack) {
   const Case c = case_of(hopper);
-  const Told truth = told_on_cpu(c, 900);
-  Simulation first(c, 1);
-  advance(first, 277);
-  const Archive started = first.save();
-  Simulation second(c, 1, &started);
-  second.restore(started);
-  second.use_device(first_device());
-  advance(second, 423);
-  const Archive carried = second.save();
-  Simulation third(c, 1, &carried);
-  third.restore(carried);
-  advance(third, 200);
-  EXPECT_EQ(told_by(third), truth);
+  expect_the_same_in_turns(c, {277, 423, 200});
 }
 
 }  // namespace

@@ -120,19 +120,7 @@ TEST(DeviceFields, StopsWithTheCpuWhereAFieldIsNoNumber) {
 TEST(DeviceFields, GoesOnFromTheCpuAndBackInAFlow) {
   const Case c = case_of(box_in(flow("expression", by_formulas + std::string("drag = \"stokes\"\nmagnus = true\n"
                                                                              "viscous_torque = \"on\"\n"))));
-  const Told truth = told_on_cpu(c, 600);
-  Simulation first(c, 1);
-  advance(first, 201);
-  const Archive started = first.save();
-  Simulation second(c, 1, &started);
-  second.restore(started);
-  second.use_device(first_device());
-  advance(second, 201);
-  const Archive carried = second.save();
-  Simulation third(c, 1, &carried);
-  third.restore(carried);
-  advance(third, 198);
-  EXPECT_EQ(told_by(third), truth);
+  expect_the_same_in_turns(c, {201, 201, 198});
 }
 
 TEST(DeviceFields, HasTheBitsOfTheCpuInAFlowWhereParticlesComeAndGo) {

@@ -138,19 +138,7 @@ TEST(DeviceShapes, GoOnFromTheCpuAndBack) {
       closed_box + egg_tray(9, "motion = { type = \"oscillation\", amplitude = [0, 0, 0.001], frequency = 60 }\n") +
           wall("cylinder", "start = [0.008, 0.008, 0.005]\nend = [0.012, 0.014, 0.015]\nradius = 0.003"),
       3));
-  const Told truth = told_on_cpu(c, 900);
-  Simulation first(c, 1);
-  advance(first, 301);
-  const Archive started = first.save();
-  Simulation second(c, 1, &started);
-  second.restore(started);
-  second.use_device(first_device());
-  advance(second, 301);
-  const Archive carried = second.save();
-  Simulation third(c, 1, &carried);
-  third.restore(carried);
-  advance(third, 298);
-  EXPECT_EQ(told_by(third), truth);
+  expect_the_same_in_turns(c, {301, 301, 298});
 }
 
 /// The hopper with ellipsoids and rods that come into a bed of spheres, and go.

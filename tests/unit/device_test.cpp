@@ -135,36 +135,12 @@ TEST(Device, NoticesAWallThatComesToParticlesAtRest) {
 TEST(Device, GoesOnFromTheCpuAndBackWithWalls) {
   const Case c = case_of(vessel(
       closed_box + egg_tray(9, "motion = { type = \"oscillation\", amplitude = [0, 0, 0.001], frequency = 60 }")));
-  const Told truth = told_on_cpu(c, 900);
-  Simulation first(c, 1);
-  advance(first, 301);
-  const Archive started = first.save();
-  Simulation second(c, 1, &started);
-  second.restore(started);
-  second.use_device(first_device());
-  advance(second, 301);
-  const Archive carried = second.save();
-  Simulation third(c, 1, &carried);
-  third.restore(carried);
-  advance(third, 298);
-  EXPECT_EQ(told_by(third), truth);
+  expect_the_same_in_turns(c, {301, 301, 298});
 }
 
 TEST(Device, GoesOnFromTheCpuAndBack) {
   const Case c = case_of(slab({"rough", rough_laws, rough_material}, gravity));
-  const Told truth = told_on_cpu(c, 600);
-  Simulation first(c, 1);
-  advance(first, 200);
-  const Archive started = first.save();
-  Simulation second(c, 1, &started);
-  second.restore(started);
-  second.use_device(first_device());
-  advance(second, 200);
-  const Archive carried = second.save();
-  Simulation third(c, 1, &carried);
-  third.restore(carried);
-  advance(third, 200);
-  EXPECT_EQ(told_by(third), truth);
+  expect_the_same_in_turns(c, {200, 200, 200});
 }
 
 TEST(Device, StopsWhereTheCpuStopsAndSaysTheSame) {

@@ -131,7 +131,8 @@ std::int64_t Simulation::particles() const {
 }
 
 std::vector<Bytes> Simulation::report() const {
-  const ShareOfRank share{effort_, static_cast<double>(system_.particles.size())};
+  const std::size_t mine = is_on_device() ? device_->spheres->particles() : system_.particles.size();
+  const ShareOfRank share{effort_, static_cast<double>(mine)};
   Bytes bytes(sizeof share);
   std::memcpy(bytes.data(), &share, sizeof share);
   return ranks_.gather(bytes);
