@@ -81,7 +81,7 @@ class OnDevices(Ranks):
 
     def test_a_stream_that_is_no_number_on_one_device_stops_all(self):
         lost = TURNED.replace('type = "uniform"\nvelocity = [0.1, 0, 0]',
-                              'type = "expression"\nexpression = ["0.1 * sqrt(0.019 - x + 100 * (0.003 - t))", "0", "0"]')
+                              'type = "expression"\nexpression = ["0.1 * sqrt(0.019 - z + 100 * (0.003 - t))", "0", "0"]')
         said = [self.scree(n, lost, f"lost{n}", *words).stderr for n, words in ((0, []), (2, ["--device", "opencl"]))]
         self.assertIn("no finite number", said[0])
         self.assertEqual(*[re.search(r"t = .*no finite number[^\n]*", text)[0] for text in said])
