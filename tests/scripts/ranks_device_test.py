@@ -85,6 +85,9 @@ class OnDevices(Ranks):
         said = [self.scree(n, lost, f"lost{n}", *words).stderr for n, words in ((0, []), (2, ["--device", "opencl"]))]
         self.assertIn("no finite number", said[0])
         self.assertEqual(*[re.search(r"t = .*no finite number[^\n]*", text)[0] for text in said])
+        ended = [json.loads((self.work / f"lost{n}/summary.json").read_text()) for n in (0, 2)]
+        for key in ("steps", "state_hash"):
+            self.assertEqual(ended[1][key], ended[0][key], key)
 
     def test_a_restart_on_another_number_of_devices(self):
         case = without_planes(CROWD)

@@ -141,25 +141,32 @@ inline void expect_the_same_in_turns(const Case& c, const std::array<int, 3>& st
   EXPECT_EQ(told_by(third), truth);
 }
 
-/// What a run stops with, and after how many steps.
-inline std::pair<std::string, std::int64_t> failure_of(const Case& c, bool on_device,
-                                                       Precision precision = Precision::full) {
+/// What a run stops with, after how many steps, and in what state.
+struct Failure {
+  std::string said;
+  std::int64_t step = 0;
+  Told told{};
+};
+
+inline Failure failure_of(const Case& c, bool on_device, Precision precision = Precision::full) {
   Simulation s(c, 1);
   if (on_device) s.use_device(first_device(), precision);
   try {
     advance(s, 2000);
     s.whole();
   } catch (const PhysicsError& error) {
-    return {error.what(), s.clock().step};
+    return {error.what(), s.clock().step, told_by(s)};
   }
-  return {"nothing went wrong", 0};
+  return {"nothing went wrong"};
 }
 
 inline void expect_the_same_failure(const std::string& text, const std::string& word, const Overrides& overrides = {}) {
   const Case c = case_of(text, overrides);
-  const auto on_cpu = failure_of(c, false);
-  EXPECT_NE(on_cpu.first.find(word), std::string::npos) << on_cpu.first;
-  EXPECT_EQ(failure_of(c, true), on_cpu);
+  const Failure on_cpu = failure_of(c, false), on_device = failure_of(c, true);
+  EXPECT_NE(on_cpu.said.find(word), std::string::npos) << on_cpu.said;
+  EXPECT_EQ(on_device.said, on_cpu.said);
+  EXPECT_EQ(on_device.step, on_cpu.step);
+  EXPECT_EQ(on_device.told, on_cpu.told);
 }
 
 }  // namespace scree::test

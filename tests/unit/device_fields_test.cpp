@@ -115,6 +115,12 @@ TEST(DeviceFields, StopsWithTheCpuWhereAFieldIsNoNumber) {
   expect_the_same_failure(
       box_in("[gravity]\ntype = \"expression\"\nexpression = [\"0\", \"1 / (t < 0.00405)\", \"-9.81\"]\n"),
       "body force (gravity) is no finite number");
+  // Nobody is turned in the step that is not done.
+  expect_the_same_failure(
+      box_in(gravity + flow("expression",
+                            "drag = \"stokes\"\nviscous_torque = \"on\"\nexpression = [\"sqrt(0.0275 - "
+                            "x)\", \"20 * x\", \"0\"]\n")),
+      "velocity of the flow");
 }
 
 TEST(DeviceFields, GoesOnFromTheCpuAndBackInAFlow) {

@@ -334,9 +334,9 @@ TEST(DeviceMixed, StopsInTheStepOfTheCpu) {
   const Case gone = case_of(flight(three, "[0, 30, 0]", 2e-5));
   for (const auto& [c, word] : {std::pair{deep, "overlap"}, {gone, "domain"}}) {
     const auto truth = failure_of(c, false), there = failure_of(c, true, Precision::mixed);
-    EXPECT_NE(truth.first.find(word), std::string::npos) << truth.first;
-    EXPECT_NE(there.first.find(word), std::string::npos) << there.first;
-    EXPECT_EQ(there.second, truth.second);
+    EXPECT_NE(truth.said.find(word), std::string::npos) << truth.said;
+    EXPECT_NE(there.said.find(word), std::string::npos) << there.said;
+    EXPECT_EQ(there.step, truth.step);
   }
 }
 

@@ -171,7 +171,7 @@ TEST(Device, StopsWithTheCpuWhenTheMotionOfAWallEndsInNoNumber) {
 
 TEST(Device, StopsAtTheFirstOfTwoThingsThatGoWrongInStepsGivenAhead) {
   const Overrides narrow{"simulation.max_overlap=0.04"};
-  const std::int64_t deep = failure_of(case_of(lost_in_step(5001), narrow), false).second;
+  const std::int64_t deep = failure_of(case_of(lost_in_step(5001), narrow), false).step;
   ASSERT_LT(deep % 32, 30) << "the next steps are not given together with that";
   expect_the_same_failure(lost_in_step(deep + 1), "overlap", narrow);
 }

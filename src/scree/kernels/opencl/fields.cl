@@ -121,38 +121,64 @@ SC_FN sc_fluid_there sc_turning_flow(sc_device_step p, sc_vec x, real radius, sc
   return out;
 }
 
-/// What acts on each sphere in step number `step`, into `fields`; then torques of the fluid turn it. Where a field is no
-/// number that is noted in `lost`.
+/// Sphere i, for what a fluid does to it.
+typedef struct {
+  sc_centre centre;
+  sc_immersed body;
+} sc_immersed_sphere;
+
+SC_FN sc_immersed_sphere sc_sphere_in_fluid(real4 place, real4 speed, real4 rim, sc_forms_in_flow forms) {
+  sc_immersed_sphere s;
+  s.centre.position = sc_first(place);
+  s.centre.velocity = sc_first(speed);
+  s.centre.radius = place.w;
+  s.centre.inverse_mass = speed.w;
+  s.body = sc_immerse(s.centre, sc_unit_mat(), sc_scale(rim.w, sc_first(rim)), forms, 0);
+  return s;
+}
+
+/// What acts on each sphere in step number `step`, into `fields`. Where a field is no number that is noted in `lost`.
 __kernel void sc_meet_fields(const sc_device_step p, const int step, __global const int* stale, __global int* lost,
-                             __global const real4* motion, __global real4* spins, __global const real4* streams,
-                             __global const real4* pulls, __global const real4* befores, __global const real* gradients,
-                             __global const sc_flow_shape* shapes, __global const real* tables, __global sc_field* fields,
-                             __global real4* works, __global real4* angulars) {
+                             __global const real4* motion, __global const real4* spins, __global const real4* streams,
+                             __global const real4* pulls, __global const real4* befores,
+                             __global const sc_flow_shape* shapes, __global const real* tables, __global sc_field* fields) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)p.counts.particles || stale[step] != 0) return;
   const sc_fluid_forces forces = SC_CHOSEN_FORCES;
   const sc_said said = {streams, pulls, befores};
   const sc_forms_in_flow forms = {shapes, tables};
-  const real4 place = motion[2 * i], speed = motion[2 * i + 1], rim = spins[i];
-  sc_centre c;
-  c.position = sc_first(place);
-  c.velocity = sc_first(speed);
-  c.radius = place.w;
-  c.inverse_mass = speed.w;
-  const sc_immersed body = sc_immerse(c, sc_unit_mat(), sc_scale(rim.w, sc_first(rim)), forms, 0);
-  const int free_body = c.inverse_mass > R(0);
+  const sc_immersed_sphere s = sc_sphere_in_fluid(motion[2 * i], motion[2 * i + 1], spins[i], forms);
+  const sc_centre c = s.centre;
   sc_field field = sc_field_at(p, c, said, i);
-  if (SC_CHOSEN_PUSHES && free_body) {
-    field = sc_add_flow_forces(field, forces, body, c.inverse_mass, sc_flow_there(p, c.position, c.radius));
+  if (SC_CHOSEN_PUSHES && c.inverse_mass > R(0)) {
+    field = sc_add_flow_forces(field, forces, s.body, c.inverse_mass, sc_flow_there(p, c.position, c.radius));
   }
   fields[i] = field;
   if (SC_CHOSEN_WATCHED && !sc_is_finite_field(field)) lost[step] = 1;
-  if (!SC_CHOSEN_TURNS || !free_body) return;
+}
+
+/// Torques of the fluid turn the spheres, after the fields have been met at the rotation of before, and in no step that is not
+/// done.
+__kernel void sc_turn_spheres(const sc_device_step p, const int step, __global const int* stale, __global const int* lost,
+                              __global const real4* motion, __global real4* spins, __global const real4* streams,
+                              __global const real4* pulls, __global const real4* befores, __global const real* gradients,
+                              __global const sc_flow_shape* shapes, __global const real* tables, __global real4* works,
+                              __global real4* angulars) {
+  const size_t i = get_global_id(0);
+  const int no_number = SC_CHOSEN_WATCHED ? lost[step] : 0;
+  if (i >= (size_t)p.counts.particles || (stale[step] | no_number) != 0) return;
+  const sc_fluid_forces forces = SC_CHOSEN_FORCES;
+  const sc_said said = {streams, pulls, befores};
+  const sc_forms_in_flow forms = {shapes, tables};
+  const real4 rim = spins[i];
+  const sc_immersed_sphere s = sc_sphere_in_fluid(motion[2 * i], motion[2 * i + 1], rim, forms);
+  const sc_centre c = s.centre;
+  if (!(c.inverse_mass > R(0))) return;
   const sc_fluid_there there = sc_turning_flow(p, c.position, c.radius, said, gradients, i);
   if (there.voidage == R(0)) return;  // it has not met the fluid yet
   const real moment = sc_inverse_moment_of_sphere(c.inverse_mass, c.radius);
   const sc_turned_in_fluid turned =
-      sc_turn_in_fluid(forces, body, sc_make_vec(moment, moment, moment), there, p.move.kick);
+      sc_turn_in_fluid(forces, s.body, sc_make_vec(moment, moment, moment), there, p.move.kick);
   const sc_vec now = sc_scale(c.radius, turned.spin);
   spins[i] = (real4)(now.x, now.y, now.z, rim.w);
   works[i].x += turned.work;

@@ -16,7 +16,7 @@ bool is_watched(const Fields& f) { return act_locally(f) && may_fail(f); }
 }  // namespace
 
 DeviceFields::DeviceFields(const opencl::Device& device, const Fields& f, const Particles& particles)
-    : place_(place(f, particles.coupled())), watched_(is_watched(f)) {
+    : place_(place(f, particles.coupled())), watched_(is_watched(f)), turns_(f.forces.turn()) {
   around_.force = body_force_of(f, 0);
   around_.flow = flow_of(f);
   around_.density = f.density;

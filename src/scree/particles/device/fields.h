@@ -31,6 +31,9 @@ class DeviceFields {
   /// Whether sc_meet_fields has to run before every step.
   bool apart() const { return place_ == SC_FIELDS_APART; }
 
+  /// Whether sc_turn_spheres has to follow it.
+  bool turns() const { return turns_; }
+
   /// Whether what acts may be no number.
   bool watched() const { return watched_; }
 
@@ -58,7 +61,7 @@ class DeviceFields {
   void send_shapes(const opencl::Device& device, const std::vector<FlowShape>& shapes);
 
   int place_;
-  bool watched_;
+  bool watched_, turns_;
   sc_surroundings around_{};
   opencl::DeviceBuffer shapes_, tables_, found_, lost_;
 };

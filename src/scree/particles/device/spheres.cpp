@@ -163,9 +163,13 @@ void DeviceSpheres::meet_fields(int number, int from) {
   if (!fields_.apart()) return;
   fields_.make_room(device_, n_);
   program_.run("sc_meet_fields", n_, group, constants_, number, stale_, fields_.lost(), motion_[from], spin_[from],
+               column_or_none("stream"), column_or_none("pull"), column_or_none("before"), fields_.shapes(),
+               fields_.tables(), fields_.found());
+  if (borders_) share_lost(number);
+  if (!fields_.turns()) return;
+  program_.run("sc_turn_spheres", n_, group, constants_, number, stale_, fields_.lost(), motion_[from], spin_[from],
                column_or_none("stream"), column_or_none("pull"), column_or_none("before"), column_or_none("gradient"),
-               fields_.shapes(), fields_.tables(), fields_.found(), columns_.at("work"),
-               columns_.at("angular_impulse"));
+               fields_.shapes(), fields_.tables(), columns_.at("work"), columns_.at("angular_impulse"));
 }
 
 /// Step number `number` since the steps were last settled.
@@ -183,7 +187,6 @@ void DeviceSpheres::launch(const Given& given, int number) {
       constants_.box.period[0] + constants_.box.period[1] + constants_.box.period[2] == 0 && sc_dot(g, g) > 0;
   const int from = (now_ + number) % 2, to = 1 - from;
   meet_fields(number, from);
-  if (borders_) share_lost(number);
   if (shapes_)
     launch_shapes(number, from, to);
   else if (mixed_)
