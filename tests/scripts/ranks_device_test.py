@@ -80,8 +80,11 @@ class OnDevices(Ranks):
         self.same_on_devices(TURNED, [2])
 
     def test_a_stream_that_is_no_number_on_one_device_stops_all(self):
+        # In the middle of a block, of which the other rank has no copies.
         lost = TURNED.replace('type = "uniform"\nvelocity = [0.1, 0, 0]',
-                              'type = "expression"\nexpression = ["0.1 * sqrt(0.019 - z + 100 * (0.003 - t))", "0", "0"]')
+                              'type = "expression"\nexpression = ["sqrt(t < 0.00305 ? x : abs(z - 0.015) - 0.0005)", "0", "0"]')
+        # Between two rows of the series, so that the device finds it and not who looks.
+        lost += "series = 0.002\n"
         said = [self.scree(n, lost, f"lost{n}", *words).stderr for n, words in ((0, []), (2, ["--device", "opencl"]))]
         self.assertIn("no finite number", said[0])
         self.assertEqual(*[re.search(r"t = .*no finite number[^\n]*", text)[0] for text in said])
