@@ -97,26 +97,26 @@ class DeviceSteps {
  public:
   DeviceSteps(const Target& target, const ParticleSystem& system, const Fields& fields, double dt)
       : lists_(prepare_lists(system, 0)),
-        spheres_(target.device, target.precision, system, lists_, fields, 1),
+        particles_(target.device, target.precision, system, lists_, fields, 1),
         move_(move_of(fields, dt)),
         time_{dt, 0.5 * dt, dt},
         walls_{system.walls.poses} {}
 
   void run(int steps) {
     for (int k = 0; k < steps; ++k) {
-      spheres_.step(move_, time_, walls_, 0);
-      if (spheres_.is_full()) contacts_ += spheres_.settle().contacts;
+      particles_.step(move_, time_, walls_, 0);
+      if (particles_.is_full()) contacts_ += particles_.settle().contacts;
     }
-    contacts_ += spheres_.settle().contacts;
+    contacts_ += particles_.settle().contacts;
   }
 
   /// That acted, summed over the steps.
   std::int64_t contacts() const { return contacts_; }
-  const DeviceSpheres& spheres() const { return spheres_; }
+  const DeviceParticles& particles() const { return particles_; }
 
  private:
   ContactLists lists_;
-  DeviceSpheres spheres_;
+  DeviceParticles particles_;
   sc_move move_;
   sc_contact_time time_;
   WallsOfStep walls_;
@@ -143,10 +143,10 @@ DeviceFigures measure_size(const Target& target, const ParticleSystem& system, c
   f.fastest = *std::max_element(rates.begin(), rates.end());
   f.contacts = static_cast<double>(steps.contacts() - contacts_before) / (particle_steps * rounds);
   f.shaped = system.particles.shaped();
-  f.bytes = f.shaped
-                ? 0
-                : bytes_on_device(target.precision, steps.spheres().candidates(), 2 * f.contacts, act_locally(fields));
-  f.memory = static_cast<double>(steps.spheres().bytes()) / static_cast<double>(f.particles);
+  f.bytes =
+      f.shaped ? 0
+               : bytes_on_device(target.precision, steps.particles().candidates(), 2 * f.contacts, act_locally(fields));
+  f.memory = static_cast<double>(steps.particles().bytes()) / static_cast<double>(f.particles);
   return f;
 }
 

@@ -5,7 +5,7 @@
 
 #include "scree/compute/opencl/device.h"
 #include "scree/input/case.h"
-#include "scree/particles/device/spheres.h"
+#include "scree/particles/device/particles.h"
 
 namespace scree {
 
@@ -15,7 +15,7 @@ struct DeviceRun {
 
   opencl::Device device;
   Precision precision;
-  std::optional<DeviceSpheres> spheres;
+  std::optional<DeviceParticles> particles;
 };
 
 /// The device that `--device` names: "opencl:2" is the third of those that `scree info` lists, "opencl" the first, or

@@ -22,20 +22,20 @@ std::string Simulation::precision_name() const {
   return device_ && device_->precision == Precision::mixed ? "mixed" : "double";
 }
 
-bool Simulation::is_on_device() const { return device_ && device_->spheres; }
+bool Simulation::is_on_device() const { return device_ && device_->particles; }
 
 void Simulation::advance_on_device() {
-  auto& spheres = device_->spheres;
+  auto& particles = device_->particles;
   move_walls_on_device();
-  if (spheres)
+  if (particles)
     exchange_on_device();
   else
     exchange_particles();
   step_fluid_on_device();
-  if (!spheres) send_to_device();
-  spheres->step(move_now(), contact_time_now(), {system_.walls.poses, way_of_walls()}, clock_.now());
+  if (!particles) send_to_device();
+  particles->step(move_now(), contact_time_now(), {system_.walls.poses, way_of_walls()}, clock_.now());
   clock_.advance();
-  if (spheres->is_full()) settle_device();
+  if (particles->is_full()) settle_device();
 }
 
 void Simulation::send_to_device() {
@@ -43,8 +43,8 @@ void Simulation::send_to_device() {
     refresh_neighbours();
     update_ghosts(system_, lists_);
   }
-  device_->spheres.emplace(device_->device, device_->precision, system_, lists_, fields_on_device(),
-                           case_.simulation.max_overlap);
+  device_->particles.emplace(device_->device, device_->precision, system_, lists_, fields_on_device(),
+                             case_.simulation.max_overlap);
 }
 
 /// Those who may come or go, with their neighbours, are dealt with by the host.
@@ -58,13 +58,13 @@ void Simulation::exchange_on_device() {
   }
   const std::vector<sc_region> regions = exchange_.regions(system_.domain, clock_.now());
   if (regions.empty()) return;
-  PartOfDevice part = device_->spheres->part_in(regions, system_);
+  PartOfDevice part = device_->particles->part_in(regions, system_);
   ContactLists lists = prepare_lists(part.system, case_.simulation.skin);
   refresh_lists(part.system, lists, team_);
   Buffer<sc_field> field;
   evaluate_fields(part.system, clock_.now(), field);
   if (!exchange_within(part.system, lists, field)) return;
-  device_->spheres->put_back(part, part.system);
+  device_->particles->put_back(part, part.system);
   retrieved_step_ = sampled_step_ = -1;
 }
 
@@ -73,11 +73,11 @@ void Simulation::step_fluid_on_device() {
   if (!is_on_device()) return step_fluid(system_.particles);
   if (!fluid_is_due()) return;
   settle_device();
-  DeviceSpheres& spheres = *device_->spheres;
+  DeviceParticles& particles = *device_->particles;
   Particles met = system_.particles.none_alike();
-  spheres.read_columns(read_by_fluid, met);
+  particles.read_columns(read_by_fluid, met);
   step_fluid(met);
-  spheres.write_columns(written_by_fluid, met);
+  particles.write_columns(written_by_fluid, met);
 }
 
 /// What acts on particles on the device. A fluid that is solved for has said to each what it will meet, but for what
@@ -104,7 +104,7 @@ void Simulation::move_walls_on_device() {
 /// Waits for the steps given to the device, and looks whether they went well. One that went wrong is the last.
 void Simulation::settle_device() {
   const Stopwatch watch(stages_, "device");
-  const DeviceFindings found = device_->spheres->settle();
+  const DeviceFindings found = device_->particles->settle();
   clock_.step -= found.undone;
   if (found.steps > 0) {
     findings_ = found.last;
@@ -116,7 +116,7 @@ void Simulation::settle_device() {
   }
   if (found.field_lost) {
     retrieve();
-    together([&] { guard_fields(system_.particles, device_->spheres->bring_back_fields(), clock_.now()); });
+    together([&] { guard_fields(system_.particles, device_->particles->bring_back_fields(), clock_.now()); });
   }
   if (found.steps == 0 || is_sound(findings_, case_.simulation.max_overlap)) return;
   retrieve();
@@ -130,7 +130,7 @@ void Simulation::retrieve() {
   settle_device();
   if (retrieved_step_ == clock_.step) return;
   const Stopwatch watch(stages_, "gathering");
-  device_->spheres->bring_back(system_);
+  device_->particles->bring_back(system_);
   forget_lists(system_, lists_);
   count_ = ranks_.total(static_cast<std::int64_t>(system_.particles.size()));
   retrieved_step_ = clock_.step;

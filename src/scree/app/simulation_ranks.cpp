@@ -126,12 +126,12 @@ void Simulation::cut_blocks(const Ranks& who_counts) {
 }
 
 std::int64_t Simulation::particles() const {
-  if (is_on_device() && ranks_.alone()) return static_cast<std::int64_t>(device_->spheres->particles());
+  if (is_on_device() && ranks_.alone()) return static_cast<std::int64_t>(device_->particles->count());
   return ranks_.alone() ? static_cast<std::int64_t>(system_.particles.size()) : count_;
 }
 
 std::vector<Bytes> Simulation::report() const {
-  const std::size_t mine = is_on_device() ? device_->spheres->particles() : system_.particles.size();
+  const std::size_t mine = is_on_device() ? device_->particles->count() : system_.particles.size();
   const ShareOfRank share{effort_, static_cast<double>(mine)};
   Bytes bytes(sizeof share);
   std::memcpy(bytes.data(), &share, sizeof share);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "scree/particles/device/spheres.h"
+#include "scree/particles/device/particles.h"
 
 namespace scree {
 namespace {
@@ -47,7 +47,7 @@ void write_all(opencl::DeviceBuffer& to, const std::vector<T>& values) {
 
 }  // namespace
 
-DevicePairs DeviceSpheres::make_pairs(std::size_t room) const {
+DevicePairs DeviceParticles::make_pairs(std::size_t room) const {
   return {0,
           room,
           {device_, room * 2 * sizeof(std::uint32_t)},
@@ -57,7 +57,7 @@ DevicePairs DeviceSpheres::make_pairs(std::size_t room) const {
           {device_, room * sizeof(double)}};
 }
 
-void DeviceSpheres::send_shapes(const ParticleSystem& s) {
+void DeviceParticles::send_shapes(const ParticleSystem& s) {
   std::vector<sc_form> forms;
   for (const Form& form : s.forms) forms.push_back(form.shape);
   DeviceShapes& shapes = shapes_.emplace();
@@ -68,7 +68,7 @@ void DeviceSpheres::send_shapes(const ParticleSystem& s) {
 
 /// Pairs that act are sent as they are; the first real lists take them over. What they know of being apart changes no
 /// bits.
-void DeviceSpheres::send_pairs(const ParticleSystem& s) {
+void DeviceParticles::send_pairs(const ParticleSystem& s) {
   const SentPairs sent = pairs_to_send(s.contacts, s.particles);
   DevicePairs& pairs = shapes_->pairs;
   pairs = make_pairs(sent.rows.size());
@@ -80,7 +80,7 @@ void DeviceSpheres::send_pairs(const ParticleSystem& s) {
 }
 
 /// Numbers the pairs on the lists and gives them what they remember.
-void DeviceSpheres::list_pairs() {
+void DeviceParticles::list_pairs() {
   DeviceShapes& shapes = *shapes_;
   DevicePairs &old = shapes.pairs, &pairs = shapes.fresh;
   const int n = static_cast<int>(n_);
@@ -108,7 +108,7 @@ void DeviceSpheres::list_pairs() {
   std::swap(old, pairs);
 }
 
-void DeviceSpheres::make_room_for_pairs(std::size_t count) {
+void DeviceParticles::make_room_for_pairs(std::size_t count) {
   DeviceShapes& shapes = *shapes_;
   const std::size_t room = count + count / 8 + 1;
   if (shapes.fresh.room < count) shapes.fresh = make_pairs(room);
@@ -123,12 +123,12 @@ void DeviceSpheres::make_room_for_pairs(std::size_t count) {
 }
 
 /// Groups that note what they have found: those of the motion, of walls and of pairs, one after the other.
-std::size_t DeviceSpheres::finding_groups() const {
+std::size_t DeviceParticles::finding_groups() const {
   return shapes_ ? 2 * groups() + (most_lookers + group - 1) / group : groups();
 }
 
 /// One step of bodies of any shape, number `number` since the steps were last settled, from one state to the next.
-void DeviceSpheres::launch_shapes(int number, int from, int to) {
+void DeviceParticles::launch_shapes(int number, int from, int to) {
   DeviceShapes& s = *shapes_;
   DevicePairs& pairs = s.pairs;
   const int count = static_cast<int>(pairs.count), after_motion = static_cast<int>(groups());

@@ -7,7 +7,7 @@
 #include "scree/base/error.h"
 #include "scree/base/random.h"
 #include "scree/kernels/meet_shapes.h"
-#include "scree/particles/device/spheres.h"
+#include "scree/particles/device/particles.h"
 #include "scree/physics/contact/law.h"
 #include "scree/physics/rotation.h"
 
@@ -121,7 +121,7 @@ sc_box open_box() {
 }  // namespace
 
 /// Contacts of the forms of the run, to the last bit: such as begin, and then the same again as they go on.
-void DeviceSpheres::check_shapes(const Forms& forms) {
+void DeviceParticles::check_shapes(const Forms& forms) {
   opencl::DeviceBuffer size(device_, sizeof(int));
   program_.run("sc_shape_sizes", 1, 1, size);
   if (size.values<int>(1)[0] != int{sizeof(sc_form)}) refuse("a form has another size");

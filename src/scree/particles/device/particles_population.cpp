@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "scree/particles/device/spheres.h"
+#include "scree/particles/device/particles.h"
 
 namespace scree {
 
 /// Memory for so many rows; those that are there stay.
-void DeviceSpheres::reserve(std::size_t rows) {
+void DeviceParticles::reserve(std::size_t rows) {
   if (rows <= rows_) return;
   const std::size_t before = rows_;
   rows_ = before == 0 ? rows : rows + rows / 8;
@@ -29,7 +29,7 @@ void DeviceSpheres::reserve(std::size_t rows) {
   found_ = opencl::DeviceBuffer(device_, finding_groups() * sizeof(sc_findings));
 }
 
-void DeviceSpheres::put_rows(const std::vector<std::int32_t>& rows, const Particles& values) {
+void DeviceParticles::put_rows(const std::vector<std::int32_t>& rows, const Particles& values) {
   if (rows.empty()) return;
   const opencl::DeviceBuffer to = opencl::sent(device_, rows);
   values.for_each_field([&](std::string_view name, const auto& from, auto...) {
@@ -41,7 +41,7 @@ void DeviceSpheres::put_rows(const std::vector<std::int32_t>& rows, const Partic
 }
 
 /// Those who come stand after the others until lists are made.
-void DeviceSpheres::append(const Particles& fresh) {
+void DeviceParticles::append(const Particles& fresh) {
   reserve(n_ + come_ + fresh.size());
   fresh.for_each_field([&](std::string_view name, const auto& values, auto...) {
     const std::size_t row_bytes = row_bytes_.at(name);
@@ -51,13 +51,13 @@ void DeviceSpheres::append(const Particles& fresh) {
 }
 
 /// Those who go are marked until lists are made.
-void DeviceSpheres::dismiss(const std::vector<std::int32_t>& rows) {
+void DeviceParticles::dismiss(const std::vector<std::int32_t>& rows) {
   put_words(rows, 1, gone_);
   gone_count_ += rows.size();
 }
 
 /// Lists have to hold who is as large as any that have been there.
-void DeviceSpheres::reach_as_far_as(const ParticleSystem& system, const Sizes& sizes) {
+void DeviceParticles::reach_as_far_as(const ParticleSystem& system, const Sizes& sizes) {
   // The mean decides about speed alone; that of nobody is zero.
   if (sizes_.mean_radius == 0) sizes_.mean_radius = sizes.mean_radius;
   sizes_.radius = std::max(sizes_.radius, sizes.radius);
@@ -72,7 +72,7 @@ void DeviceSpheres::reach_as_far_as(const ParticleSystem& system, const Sizes& s
   if (adapts_) skin_ = std::clamp(skin_, shortest_skin_, longest_skin_);
 }
 
-void DeviceSpheres::put_back(const PartOfDevice& before, const ParticleSystem& system) {
+void DeviceParticles::put_back(const PartOfDevice& before, const ParticleSystem& system) {
   const Particles& after = system.particles;
   std::unordered_map<std::int64_t, std::int32_t> row_of;
   for (std::size_t i = 0; i < before.id.size(); ++i) row_of[before.id[i]] = before.rows[i];

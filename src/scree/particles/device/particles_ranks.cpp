@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "scree/mpi/rows.h"
-#include "scree/particles/device/spheres.h"
+#include "scree/particles/device/particles.h"
 #include "scree/particles/migration.h"
 
 namespace scree {
@@ -26,12 +26,12 @@ std::vector<std::int32_t> numbers(std::size_t from, std::size_t to) {
 
 }  // namespace
 
-const opencl::DeviceBuffer& DeviceSpheres::ghost_flags() const {
+const opencl::DeviceBuffer& DeviceParticles::ghost_flags() const {
   static const opencl::DeviceBuffer none;
   return borders_ ? columns_.at(ghost_column) : none;
 }
 
-void DeviceSpheres::put_words(const std::vector<std::int32_t>& rows, std::int32_t word, opencl::DeviceBuffer& to) {
+void DeviceParticles::put_words(const std::vector<std::int32_t>& rows, std::int32_t word, opencl::DeviceBuffer& to) {
   if (rows.empty()) return;
   const std::vector<std::int32_t> words(rows.size(), word);
   scratch_.write(words.data(), words.size() * sizeof word);
@@ -40,7 +40,7 @@ void DeviceSpheres::put_words(const std::vector<std::int32_t>& rows, std::int32_
 }
 
 /// The particles of the system are this rank's own ones and copies of those near its block.
-void DeviceSpheres::join(const ParticleSystem& system, const ContactLists& lists) {
+void DeviceParticles::join(const ParticleSystem& system, const ContactLists& lists) {
   borders_.emplace();
   borders_->ranks = lists.ranks;
   borders_->blocks = lists.blocks;
@@ -51,7 +51,7 @@ void DeviceSpheres::join(const ParticleSystem& system, const ContactLists& lists
 }
 
 /// Cuts the blocks anew where some have many more particles than others.
-void DeviceSpheres::share_evenly() {
+void DeviceParticles::share_evenly() {
   DeviceBorders& b = *borders_;
   const std::size_t own = n_ - b.ghosts.size();
   const double all = static_cast<double>(b.ranks.total(static_cast<std::int64_t>(own)));
@@ -65,7 +65,7 @@ void DeviceSpheres::share_evenly() {
 }
 
 /// The cells cover the block and those near it.
-void DeviceSpheres::cover_block(double range) {
+void DeviceParticles::cover_block(double range) {
   const DeviceBorders& b = *borders_;
   const auto bounds = b.blocks.bounds(b.ranks.rank(), b.domain);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -78,7 +78,7 @@ void DeviceSpheres::cover_block(double range) {
 }
 
 /// Own particles that others may be near to, or that have left the block.
-std::vector<std::int32_t> DeviceSpheres::rows_at_borders(double range) {
+std::vector<std::int32_t> DeviceParticles::rows_at_borders(double range) {
   constexpr double far = std::numeric_limits<double>::infinity();
   const DeviceBorders& b = *borders_;
   const auto bounds = b.blocks.bounds(b.ranks.rank(), b.domain);
@@ -96,7 +96,7 @@ std::vector<std::int32_t> DeviceSpheres::rows_at_borders(double range) {
 }
 
 /// The contacts of those who leave the block, each once.
-Luggage DeviceSpheres::luggage_of(const Particles& border, const std::vector<std::int32_t>& rows) {
+Luggage DeviceParticles::luggage_of(const Particles& border, const std::vector<std::int32_t>& rows) {
   std::vector<std::int32_t> leaving;
   std::vector<std::int64_t> id;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -109,7 +109,7 @@ Luggage DeviceSpheres::luggage_of(const Particles& border, const std::vector<std
 
 /// Those who have left the block go to other ranks, those who have come into it are taken in; all get copies of those
 /// near their blocks. Rows change when the particles are sorted.
-void DeviceSpheres::meet_others() {
+void DeviceParticles::meet_others() {
   DeviceBorders& b = *borders_;
   share_evenly();
   const double reach = skin_ + beyond_, range = 2 * sizes_.effect_radius + reach;
@@ -145,8 +145,8 @@ void DeviceSpheres::meet_others() {
 
 /// Gives those of `around` who have no row yet one: that which `row_of` says they have had under another flag, or a new
 /// one. Who is in `row_of` and not around is gone.
-void DeviceSpheres::take_places(const Particles& around, std::unordered_map<std::int64_t, std::int32_t>& row_of,
-                                std::vector<std::int32_t>& standing) {
+void DeviceParticles::take_places(const Particles& around, std::unordered_map<std::int64_t, std::int32_t>& row_of,
+                                  std::vector<std::int32_t>& standing) {
   DeviceBorders& b = *borders_;
   b.come.clear();
   b.come_rows.clear();
@@ -178,14 +178,14 @@ void DeviceSpheres::take_places(const Particles& around, std::unordered_map<std:
 }
 
 /// Where rows have gone when the particles were sorted.
-void DeviceSpheres::follow(std::vector<std::int32_t>& rows) {
+void DeviceParticles::follow(std::vector<std::int32_t>& rows) {
   if (rows.empty()) return;
   program_.run("sc_take_rows", rows.size(), group, static_cast<int>(rows.size()), 1, opencl::sent(device_, rows),
                place_, scratch_);
   rows = scratch_.values<std::int32_t>(rows.size());
 }
 
-void DeviceSpheres::follow_others() {
+void DeviceParticles::follow_others() {
   DeviceBorders& b = *borders_;
   for (auto* rows : {&b.sent, &b.ghosts, &b.come_rows}) follow(*rows);
   b.sent_rows = opencl::sent(device_, b.sent);
@@ -198,7 +198,7 @@ void DeviceSpheres::follow_others() {
 }
 
 /// Gives those who have come what their contacts remember.
-void DeviceSpheres::unpack_luggage() {
+void DeviceParticles::unpack_luggage() {
   DeviceBorders& b = *borders_;
   std::unordered_map<std::int64_t, std::int32_t> row_of;
   for (std::size_t k = 0; k < b.come.size(); ++k) row_of[b.come[k]] = b.come_rows[k];
@@ -207,9 +207,9 @@ void DeviceSpheres::unpack_luggage() {
   b.luggage = {};
 }
 
-void DeviceSpheres::put_memory(const KeyedContacts& contacts,
-                               const std::unordered_map<std::int64_t, std::int32_t>& row_of, Lists& lists,
-                               bool of_faces) {
+void DeviceParticles::put_memory(const KeyedContacts& contacts,
+                                 const std::unordered_map<std::int64_t, std::int32_t>& row_of, Lists& lists,
+                                 bool of_faces) {
   std::vector<std::int32_t> rows;
   std::vector<std::int64_t> partners;
   std::vector<std::uint32_t> codes;
@@ -238,7 +238,7 @@ void DeviceSpheres::put_memory(const KeyedContacts& contacts,
 }
 
 /// Where what acts in a step is no number for one rank, no rank does the step.
-void DeviceSpheres::share_lost(int step) {
+void DeviceParticles::share_lost(int step) {
   if (!fields_.watched()) return;
   std::int32_t lost = 0;
   const std::size_t at = static_cast<std::size_t>(step) * sizeof lost;
@@ -249,7 +249,7 @@ void DeviceSpheres::share_lost(int step) {
 
 /// Brings copies, in the state that step number `step` has written, to that of their originals. Whether some rank has
 /// set the flag of the next step.
-bool DeviceSpheres::swap_ghosts(int to, int step) {
+bool DeviceParticles::swap_ghosts(int to, int step) {
   DeviceBorders& b = *borders_;
   const auto take = [&](const opencl::DeviceBuffer& from, std::size_t row, opencl::DeviceBuffer& packed) {
     const std::size_t words = row * sizeof(double) / sizeof(std::uint32_t);

@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 #include "scree/mpi/rows.h"
-#include "scree/particles/device/spheres.h"
+#include "scree/particles/device/particles.h"
 #include "scree/particles/keyed_contacts.h"
 
 namespace scree {
@@ -54,22 +54,22 @@ void note_overlaps(ParticleSystem& system, const Luggage& acting, const std::vec
 
 }  // namespace
 
-opencl::DeviceBuffer& DeviceSpheres::column(std::string_view name) {
+opencl::DeviceBuffer& DeviceParticles::column(std::string_view name) {
   const int rows = mixed_ ? 0 : now_;
   return name == "motion" ? motion_[rows] : name == "spin" ? spin_[rows] : columns_.at(name);
 }
 
-const opencl::DeviceBuffer& DeviceSpheres::column(std::string_view name) const {
-  return const_cast<DeviceSpheres*>(this)->column(name);
+const opencl::DeviceBuffer& DeviceParticles::column(std::string_view name) const {
+  return const_cast<DeviceParticles*>(this)->column(name);
 }
 
 /// An empty buffer for what the particles do not have.
-const opencl::DeviceBuffer& DeviceSpheres::column_or_none(std::string_view name) const {
+const opencl::DeviceBuffer& DeviceParticles::column_or_none(std::string_view name) const {
   static const opencl::DeviceBuffer none;
   return row_bytes_.contains(name) ? column(name) : none;
 }
 
-void DeviceSpheres::read_columns(std::span<const std::string_view> names, Particles& to) const {
+void DeviceParticles::read_columns(std::span<const std::string_view> names, Particles& to) const {
   to.resize(n_);
   to.for_each_field([&](std::string_view name, auto& values, auto...) {
     if (std::ranges::find(names, name) != names.end())
@@ -77,14 +77,14 @@ void DeviceSpheres::read_columns(std::span<const std::string_view> names, Partic
   });
 }
 
-void DeviceSpheres::write_columns(std::span<const std::string_view> names, const Particles& from) {
+void DeviceParticles::write_columns(std::span<const std::string_view> names, const Particles& from) {
   from.for_each_field([&](std::string_view name, const auto& values, auto...) {
     if (std::ranges::find(names, name) != names.end())
       column(name).write(values.values.data(), n_ * row_bytes_.at(name));
   });
 }
 
-Buffer<sc_field> DeviceSpheres::bring_back_fields() const {
+Buffer<sc_field> DeviceParticles::bring_back_fields() const {
   const auto id = columns_.at("id").values<std::int64_t>(n_);
   const auto found = fields_.found().values<sc_field>(n_);
   std::vector<std::uint32_t> order(n_);
@@ -99,7 +99,7 @@ Buffer<sc_field> DeviceSpheres::bring_back_fields() const {
 
 /// Calls visit(contact) for every contact that acts, slot by slot.
 template <class Visit>
-void DeviceSpheres::for_each_acting(const Lists& lists, Visit&& visit) const {
+void DeviceParticles::for_each_acting(const Lists& lists, Visit&& visit) const {
   if (lists.remembers == Remembers::nothing) return;
   const std::size_t n = lists.particles;
   const auto count = lists.counts.values<std::int32_t>(n);
@@ -133,8 +133,8 @@ void DeviceSpheres::for_each_acting(const Lists& lists, Visit&& visit) const {
 /// What the contacts in lists of the particles `id` remember, each once; `id_of` tells the ids of partners by their
 /// rows.
 template <class IdOf>
-Luggage DeviceSpheres::remembered(const Lists& pairs, const Lists& faces, const std::vector<std::int64_t>& id,
-                                  IdOf&& id_of) const {
+Luggage DeviceParticles::remembered(const Lists& pairs, const Lists& faces, const std::vector<std::int64_t>& id,
+                                    IdOf&& id_of) const {
   Luggage out;
   for_each_acting(pairs, [&](const Acting& c) {
     const auto [other, listed] = id_of(c.other);
@@ -154,14 +154,14 @@ Luggage DeviceSpheres::remembered(const Lists& pairs, const Lists& faces, const 
 }
 
 /// Marks of the rows that are copies of others' particles.
-std::vector<std::int32_t> DeviceSpheres::ghosts() const {
+std::vector<std::int32_t> DeviceParticles::ghosts() const {
   std::vector<std::int32_t> out(n_, 0);
   if (borders_) ghost_flags().read(out.data(), n_ * sizeof out[0]);
   return out;
 }
 
 /// The rows of the owner and the partner of every pair of bodies of any shape that acts, and its number.
-std::vector<DeviceSpheres::ActingPair> DeviceSpheres::acting_pairs() const {
+std::vector<DeviceParticles::ActingPair> DeviceParticles::acting_pairs() const {
   const auto rows = shapes_->pairs.rows.values<std::array<std::uint32_t, 2>>(shapes_->pairs.count);
   std::vector<ActingPair> out;
   for (std::size_t c = 0; c < rows.size(); ++c)
@@ -172,7 +172,7 @@ std::vector<DeviceSpheres::ActingPair> DeviceSpheres::acting_pairs() const {
 
 /// What pairs of bodies of any shape remember; `id_of` tells ids by rows.
 template <class IdOf>
-KeyedContacts DeviceSpheres::remembered_by(const std::vector<ActingPair>& acting, IdOf&& id_of) const {
+KeyedContacts DeviceParticles::remembered_by(const std::vector<ActingPair>& acting, IdOf&& id_of) const {
   const DevicePairs& pairs = shapes_->pairs;
   KeyedContacts out;
   const auto slides = pairs.slides.values<double>(4 * pairs.count);
@@ -187,7 +187,7 @@ KeyedContacts DeviceSpheres::remembered_by(const std::vector<ActingPair>& acting
   return out;
 }
 
-void DeviceSpheres::bring_back(ParticleSystem& system) {
+void DeviceParticles::bring_back(ParticleSystem& system) {
   if (mixed_) mixed_->give(program_, now_, column("motion"), column("spin"));
   Particles& p = system.particles;
   p.resize(n_);
@@ -218,7 +218,7 @@ void DeviceSpheres::bring_back(ParticleSystem& system) {
 }
 
 /// The rows of the particles in regions, rising.
-std::vector<std::int32_t> DeviceSpheres::rows_in(const std::vector<sc_region>& regions) {
+std::vector<std::int32_t> DeviceParticles::rows_in(const std::vector<sc_region>& regions) {
   const int none[2] = {0, 0};
   counters_.write(none, sizeof none);
   opencl::DeviceBuffer all(device_, regions.size() * sizeof(sc_region));
@@ -229,14 +229,14 @@ std::vector<std::int32_t> DeviceSpheres::rows_in(const std::vector<sc_region>& r
 }
 
 /// What a search has left in `scratch_`, rising.
-std::vector<std::int32_t> DeviceSpheres::found_rows() {
+std::vector<std::int32_t> DeviceParticles::found_rows() {
   auto rows = scratch_.values<std::int32_t>(static_cast<std::size_t>(counters_.values<std::int32_t>(1)[0]));
   std::sort(rows.begin(), rows.end());
   return rows;
 }
 
 /// Copies of the lists of some particles.
-DeviceSpheres::Lists DeviceSpheres::taken(const Lists& lists, const std::vector<std::int32_t>& rows) {
+DeviceParticles::Lists DeviceParticles::taken(const Lists& lists, const std::vector<std::int32_t>& rows) {
   Lists out = make_room(rows.size(), lists.room, lists.remembers);
   if (rows.empty()) return out;
   program_.run("sc_take_lists", rows.size(), group, static_cast<int>(rows.size()), opencl::sent(device_, rows),
@@ -245,7 +245,7 @@ DeviceSpheres::Lists DeviceSpheres::taken(const Lists& lists, const std::vector<
   return out;
 }
 
-Particles DeviceSpheres::particles_at(const std::vector<std::int32_t>& rows) {
+Particles DeviceParticles::particles_at(const std::vector<std::int32_t>& rows) {
   Particles out = alike_;
   out.resize(rows.size());
   if (rows.empty()) return out;
@@ -260,7 +260,7 @@ Particles DeviceSpheres::particles_at(const std::vector<std::int32_t>& rows) {
 }
 
 /// The acting pairs of which one side at least is among the rows.
-std::vector<DeviceSpheres::ActingPair> DeviceSpheres::pairs_of_some(const std::vector<std::int32_t>& asked) const {
+std::vector<DeviceParticles::ActingPair> DeviceParticles::pairs_of_some(const std::vector<std::int32_t>& asked) const {
   std::vector<ActingPair> out = acting_pairs();
   std::erase_if(out, [&](const ActingPair& pair) {
     return std::none_of(pair.rows.begin(), pair.rows.end(), [&](std::uint32_t row) {
@@ -271,8 +271,8 @@ std::vector<DeviceSpheres::ActingPair> DeviceSpheres::pairs_of_some(const std::v
 }
 
 /// The contacts of the particles in `rows`, whose ids are `id`.
-DeviceSpheres::ContactsOfSome DeviceSpheres::contacts_of(const std::vector<std::int32_t>& rows,
-                                                         const std::vector<std::int64_t>& id) {
+DeviceParticles::ContactsOfSome DeviceParticles::contacts_of(const std::vector<std::int32_t>& rows,
+                                                             const std::vector<std::int64_t>& id) {
   ContactsOfSome out;
   const Lists pairs = shapes_ ? Lists{} : taken(lists_, rows), faces = taken(face_lists_, rows);
   const std::vector<ActingPair> of_shapes = shapes_ ? pairs_of_some(rows) : std::vector<ActingPair>();
@@ -291,7 +291,7 @@ DeviceSpheres::ContactsOfSome DeviceSpheres::contacts_of(const std::vector<std::
   return out;
 }
 
-std::vector<std::int64_t> DeviceSpheres::ids_at(const std::vector<std::int32_t>& rows) {
+std::vector<std::int64_t> DeviceParticles::ids_at(const std::vector<std::int32_t>& rows) {
   if (rows.empty()) return {};
   opencl::DeviceBuffer ids(device_, rows.size() * sizeof(std::int64_t));
   program_.run("sc_take_rows", 2 * rows.size(), group, static_cast<int>(rows.size()), 2, opencl::sent(device_, rows),
@@ -299,7 +299,7 @@ std::vector<std::int64_t> DeviceSpheres::ids_at(const std::vector<std::int32_t>&
   return ids.values<std::int64_t>(rows.size());
 }
 
-PartOfDevice DeviceSpheres::part_in(const std::vector<sc_region>& regions, const ParticleSystem& system) {
+PartOfDevice DeviceParticles::part_in(const std::vector<sc_region>& regions, const ParticleSystem& system) {
   const std::vector<std::int32_t> asked = rows_in(regions);
   const ContactsOfSome some = contacts_of(asked, ids_at(asked));
   std::vector<std::int32_t> rows = asked;

@@ -1,7 +1,7 @@
 // The contacts of particles that are sent to a device.
 #include <algorithm>
 
-#include "scree/particles/device/spheres.h"
+#include "scree/particles/device/particles.h"
 
 namespace scree {
 namespace {
@@ -13,7 +13,7 @@ std::uint32_t entry_of(std::int32_t other, std::uint8_t code) {
 }  // namespace
 
 /// Contacts that act are sent as lists of their own; the first real lists take them over.
-void DeviceSpheres::send_contacts(const ParticleSystem& s) {
+void DeviceParticles::send_contacts(const ParticleSystem& s) {
   if (shapes_)
     send_pairs(s);
   else
@@ -29,7 +29,7 @@ void DeviceSpheres::send_contacts(const ParticleSystem& s) {
 }
 
 /// Each pair of spheres from both sides.
-void DeviceSpheres::send_sides(const ParticleSystem& s) {
+void DeviceParticles::send_sides(const ParticleSystem& s) {
   const PairContacts& c = s.contacts;
   std::vector<Side> sides;
   for (std::size_t k = 0; k < c.pairs.count; ++k) {
@@ -42,7 +42,7 @@ void DeviceSpheres::send_sides(const ParticleSystem& s) {
   lists_ = sent_sides(sides, mixed_ ? Remembers::laws_in_single : Remembers::laws);
 }
 
-DeviceSpheres::Lists DeviceSpheres::sent_sides(const std::vector<Side>& sides, Remembers remembers) const {
+DeviceParticles::Lists DeviceParticles::sent_sides(const std::vector<Side>& sides, Remembers remembers) const {
   std::vector<std::int32_t> count(n_);
   for (const Side& side : sides) ++count[side.particle];
   Lists lists = make_room(n_, n_ ? *std::max_element(count.begin(), count.end()) : 0, remembers);

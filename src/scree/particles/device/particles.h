@@ -48,13 +48,13 @@ struct PartOfDevice {
 
 /// The engine of a system of spheres, or of bodies of any shape, on a device. In full precision it gives the same bits
 /// as the CPU's: the physics is the same text, and sums go in the order of ids.
-class DeviceSpheres {
+class DeviceParticles {
  public:
   /// Compiles the kernels for the laws of the system, checks them against the host's numbers and sends the system's
   /// particles and contacts to the device. `max_overlap` stops the run. Of several ranks each has a device; copies of
   /// others' particles must be there, and all ranks call all members alike. Throws ResourceError.
-  DeviceSpheres(const opencl::Device& device, Precision precision, const ParticleSystem& system,
-                const ContactLists& lists, const Fields& fields, double max_overlap);
+  DeviceParticles(const opencl::Device& device, Precision precision, const ParticleSystem& system,
+                  const ContactLists& lists, const Fields& fields, double max_overlap);
 
   /// Gives a step to the device that begins at the time `now` [s]; it is done later.
   void step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls, double now);
@@ -86,7 +86,7 @@ class DeviceSpheres {
   Buffer<sc_field> bring_back_fields() const;
 
   /// Own particles.
-  std::size_t particles() const { return n_ - (borders_ ? borders_->ghosts.size() : 0); }
+  std::size_t count() const { return n_ - (borders_ ? borders_->ghosts.size() : 0); }
 
   /// Listed partners of a particle, on average.
   double candidates() const;

@@ -1,4 +1,4 @@
-#include "scree/particles/device/spheres.h"
+#include "scree/particles/device/particles.h"
 
 #include <fmt/format.h>
 
@@ -50,8 +50,8 @@ sc_box box_of(const Domain& domain) {
 
 }  // namespace
 
-DeviceSpheres::DeviceSpheres(const opencl::Device& device, Precision precision, const ParticleSystem& s,
-                             const ContactLists& lists, const Fields& fields, double max_overlap)
+DeviceParticles::DeviceParticles(const opencl::Device& device, Precision precision, const ParticleSystem& s,
+                                 const ContactLists& lists, const Fields& fields, double max_overlap)
     : device_(device),
       program_(device, text_for(precision, fields, s.particles.shaped()),
                options_for(s, fields, group, !lists.ranks.alone())),
@@ -88,13 +88,13 @@ DeviceSpheres::DeviceSpheres(const opencl::Device& device, Precision precision, 
   fresh_face_lists_ = make_room(n_, face_room, face_lists_.remembers);
 }
 
-std::size_t DeviceSpheres::groups() const { return (rows_ + group - 1) / group; }
+std::size_t DeviceParticles::groups() const { return (rows_ + group - 1) / group; }
 
-sc_counts DeviceSpheres::counts() const {
+sc_counts DeviceParticles::counts() const {
   return {static_cast<int>(n_), lists_.room, materials_, static_cast<int>(faces_), static_cast<int>(walls_), 0};
 }
 
-DeviceSpheres::Lists DeviceSpheres::make_room(std::size_t particles, int room, Remembers remembers) const {
+DeviceParticles::Lists DeviceParticles::make_room(std::size_t particles, int room, Remembers remembers) const {
   const std::size_t slots = particles * static_cast<std::size_t>(room);
   const std::size_t number = remembers == Remembers::laws_in_single ? sizeof(float) : sizeof(double);
   const std::size_t memory = remembers == Remembers::nothing ? 0 : slots * 4 * number;
@@ -108,18 +108,18 @@ DeviceSpheres::Lists DeviceSpheres::make_room(std::size_t particles, int room, R
           {device_, remembers == Remembers::laws_and_places ? 2 * memory : 0}};
 }
 
-std::optional<MemoryUnits> DeviceSpheres::slide_units(const Lists& lists) const {
+std::optional<MemoryUnits> DeviceParticles::slide_units(const Lists& lists) const {
   if (lists.remembers != Remembers::laws_in_single) return {};
   return mixed_->slide_units();
 }
 
 /// Angles have none.
-std::optional<MemoryUnits> DeviceSpheres::roll_units(const Lists& lists) const {
+std::optional<MemoryUnits> DeviceParticles::roll_units(const Lists& lists) const {
   if (lists.remembers != Remembers::laws_in_single) return {};
   return MemoryUnits{};
 }
 
-void DeviceSpheres::send_particles(const Particles& particles) {
+void DeviceParticles::send_particles(const Particles& particles) {
   alike_ = particles.none_alike();
   particles.for_each_field([&](std::string_view name, const auto& column, auto...) {
     using Value = typename std::decay_t<decltype(column)>::value_type;
@@ -141,25 +141,25 @@ void DeviceSpheres::send_particles(const Particles& particles) {
   counters_ = opencl::DeviceBuffer(device_, 2 * sizeof(std::int32_t));
 }
 
-void DeviceSpheres::send_walls(const ParticleSystem& s) {
+void DeviceParticles::send_walls(const ParticleSystem& s) {
   wall_faces_ = opencl::sent(device_, s.walls.faces);
   wall_poses_ = opencl::DeviceBuffer(device_, most_given * walls_ * sizeof(sc_wall_pose));
 }
 
-void DeviceSpheres::step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls, double now) {
+void DeviceParticles::step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls, double now) {
   if (is_full()) throw std::logic_error("a device that is full has to settle first");
   given_.push_back({move, time, walls, now});
 }
 
 /// Where walls are in all steps given, for the first of which lists may have to be made.
-void DeviceSpheres::send_poses() {
+void DeviceParticles::send_poses() {
   std::vector<sc_wall_pose> poses;
   for (const Given& g : given_) poses.insert(poses.end(), g.walls.poses.begin(), g.walls.poses.end());
   wall_poses_.write(poses.data(), poses.size() * sizeof(sc_wall_pose));
 }
 
 /// Finds what acts on the particles, where the step itself does not; torques of a fluid turn them.
-void DeviceSpheres::meet_fields(int number, int from) {
+void DeviceParticles::meet_fields(int number, int from) {
   if (!fields_.apart()) return;
   fields_.make_room(device_, n_);
   program_.run("sc_meet_fields", n_, group, constants_, number, stale_, fields_.lost(), motion_[from], spin_[from],
@@ -173,7 +173,7 @@ void DeviceSpheres::meet_fields(int number, int from) {
 }
 
 /// Step number `number` since the steps were last settled.
-void DeviceSpheres::launch(const Given& given, int number) {
+void DeviceParticles::launch(const Given& given, int number) {
   constants_.move = given.move;
   constants_.time = given.time;
   constants_.around = fields_.around(given.now);
@@ -197,7 +197,7 @@ void DeviceSpheres::launch(const Given& given, int number) {
 
 /// The step of spheres; `state` is what the kernel calls so.
 template <class... State>
-void DeviceSpheres::pass(const char* kernel, int number, const State&... state) {
+void DeviceParticles::pass(const char* kernel, int number, const State&... state) {
   program_.run(kernel, n_, group, constants_, number, stale_, state..., laws_, lists_.counts, lists_.entries,
                lists_.slides, lists_.rolls, wall_faces_, wall_poses_, face_lists_.counts, face_lists_.entries,
                face_lists_.slides, face_lists_.rolls, gaps_, corners_, columns_.at("image"), fields_.found(),
@@ -206,19 +206,19 @@ void DeviceSpheres::pass(const char* kernel, int number, const State&... state) 
                column_or_none("drag_impulse"), found_);
 }
 
-void DeviceSpheres::launch_spheres(int number, int from, int to) {
+void DeviceParticles::launch_spheres(int number, int from, int to) {
   pass("sc_pass", number, fields_.lost(), motion_[from], spin_[from], motion_[to], spin_[to],
        columns_.at("effect_excess"), columns_.at("material"), ghost_flags(), columns_.at("id"), listed_);
 }
 
-void DeviceSpheres::launch_mixed(int number, int from, int to) {
+void DeviceParticles::launch_mixed(int number, int from, int to) {
   const MixedState& m = *mixed_;
   pass("sc_pass_mixed", number, m.space, m.near[from], m.speed[from], m.spin[from], m.near[to], m.speed[to], m.spin[to],
        m.rest_places, m.rest_speeds, m.rest_spins, m.excess_of, columns_.at("material"), m.listed, m.laws);
 }
 
 /// What the steps have found since the last time.
-void DeviceSpheres::add_findings(DeviceFindings& to) {
+void DeviceParticles::add_findings(DeviceFindings& to) {
   SweepFindings own;
   std::vector<std::int64_t> sums(4, 0);  // contacts, with walls, impacts, their speeds
   for (const sc_findings& f : found_.values<sc_findings>(found_.bytes() / sizeof(sc_findings))) {
@@ -246,7 +246,7 @@ void DeviceSpheres::add_findings(DeviceFindings& to) {
 }
 
 /// All steps at once; those after one that halts do nothing.
-DeviceSpheres::Done DeviceSpheres::do_ahead() {
+DeviceParticles::Done DeviceParticles::do_ahead() {
   for (std::size_t k = 0; k < given_.size(); ++k) launch(given_[k], static_cast<int>(k));
   const auto stale = stale_.values<std::int32_t>(given_.size() + 1);
   const auto halt = std::find_if(stale.begin() + 1, stale.end(), [](std::int32_t s) { return s != 0; });
@@ -256,7 +256,7 @@ DeviceSpheres::Done DeviceSpheres::do_ahead() {
 }
 
 /// One step after the other, with the other ranks.
-DeviceSpheres::Done DeviceSpheres::do_in_turn() {
+DeviceParticles::Done DeviceParticles::do_in_turn() {
   for (std::size_t k = 0; k < given_.size(); ++k) {
     const int number = static_cast<int>(k);
     launch(given_[k], number);
@@ -268,7 +268,7 @@ DeviceSpheres::Done DeviceSpheres::do_in_turn() {
 }
 
 /// Gives the steps to the device, as many as lists hold for; again and again with fresh lists those that were not done.
-DeviceFindings DeviceSpheres::settle() {
+DeviceFindings DeviceParticles::settle() {
   DeviceFindings out;
   while (!given_.empty()) {
     send_poses();
@@ -291,12 +291,12 @@ DeviceFindings DeviceSpheres::settle() {
   return out;
 }
 
-double DeviceSpheres::candidates() const {
+double DeviceParticles::candidates() const {
   const auto count = lists_.counts.values<std::int32_t>(n_);
   return static_cast<double>(std::accumulate(count.begin(), count.end(), std::int64_t{0})) / static_cast<double>(n_);
 }
 
-std::size_t DeviceSpheres::bytes() const {
+std::size_t DeviceParticles::bytes() const {
   std::size_t sum = fields_.bytes() + (mixed_ ? mixed_->bytes() : 0);
   for (const auto& [name, column] : columns_) sum += column.bytes();
   for (const opencl::DeviceBuffer* b :

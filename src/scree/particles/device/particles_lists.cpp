@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "scree/particles/device/spheres.h"
+#include "scree/particles/device/particles.h"
 
 namespace scree {
 namespace {
@@ -14,7 +14,7 @@ constexpr std::int64_t most_cells = std::int64_t{1} << 30;
 }  // namespace
 
 /// Cells as wide as bodies reach, but not many more than there are particles.
-void DeviceSpheres::fit_cells() {
+void DeviceParticles::fit_cells() {
   // Nobody has no width.
   double width = std::max(range_ + skin_, 1e-6 * (greatest_[0] - least_[0]));
   for (;; width *= 1.26) {
@@ -35,7 +35,7 @@ void DeviceSpheres::fit_cells() {
 }
 
 /// Replaces numbers by the sums of those before them.
-void DeviceSpheres::scan(opencl::DeviceBuffer& values, int count) {
+void DeviceParticles::scan(opencl::DeviceBuffer& values, int count) {
   constexpr std::size_t scan_block = SC_SCAN_OWN * group;
   const int blocks = static_cast<int>((static_cast<std::size_t>(count) + scan_block - 1) / scan_block);
   opencl::DeviceBuffer sums(device_, static_cast<std::size_t>(blocks) * sizeof(std::int32_t));
@@ -46,7 +46,7 @@ void DeviceSpheres::scan(opencl::DeviceBuffer& values, int count) {
 }
 
 /// Puts the first `count` rows in order.
-void DeviceSpheres::permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t count) {
+void DeviceParticles::permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t count) {
   const std::size_t words = row_bytes / sizeof(std::uint32_t);
   program_.run("sc_take_rows", count * words, group, static_cast<int>(count), static_cast<int>(words), order_, rows,
                scratch_);
@@ -54,7 +54,7 @@ void DeviceSpheres::permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, s
 }
 
 /// Puts the state of the first `count` in order.
-void DeviceSpheres::permute_state(std::size_t count) {
+void DeviceParticles::permute_state(std::size_t count) {
   if (mixed_) {
     for (const char* name : {"motion", "spin"}) permute(column(name), row_bytes_.at(name), count);
     mixed_->for_each_row(now_, [&](opencl::DeviceBuffer& rows, std::size_t bytes) { permute(rows, bytes, count); });
@@ -70,7 +70,7 @@ void DeviceSpheres::permute_state(std::size_t count) {
 }
 
 /// Puts those who are there from now on in the order of their cells; those who are gone get no place.
-void DeviceSpheres::sort_particles() {
+void DeviceParticles::sort_particles() {
   fit_cells();
   if (mixed_) mixed_->give(program_, now_, column("motion"), column("spin"));
   const std::size_t held = n_ + come_, stay = held - gone_count_;
@@ -96,7 +96,7 @@ void DeviceSpheres::sort_particles() {
 }
 
 /// A list that lasts long costs candidates that do not touch, a short one costs making: hold the balance.
-void DeviceSpheres::adapt_skin() {
+void DeviceParticles::adapt_skin() {
   if (!adapts_ || steps_listed_ == 0) return;
   if (steps_listed_ < 20) skin_ *= 1.3;
   if (steps_listed_ > 80) skin_ /= 1.2;
@@ -106,7 +106,7 @@ void DeviceSpheres::adapt_skin() {
 /// Runs a search into lists with more room until all that it finds has place; the search leaves the largest number that
 /// a particle has in the first of the counters.
 template <class Search>
-void DeviceSpheres::search_into(Lists& lists, Search&& search) {
+void DeviceParticles::search_into(Lists& lists, Search&& search) {
   const int none[2] = {0, 0};
   for (;;) {
     counters_.write(none, sizeof none);
@@ -120,7 +120,7 @@ void DeviceSpheres::search_into(Lists& lists, Search&& search) {
   }
 }
 
-void DeviceSpheres::find_partners(Lists& to) {
+void DeviceParticles::find_partners(Lists& to) {
   search_into(to, [&](const sc_counts& sizes) {
     program_.run("sc_find_partners", n_, group, constants_.box, cells_, sizes, skin_ + beyond_, column("motion"),
                  columns_.at("effect_excess"), columns_.at("id"), ghost_flags(), cell_first_, to.counts, to.entries,
@@ -128,7 +128,7 @@ void DeviceSpheres::find_partners(Lists& to) {
   });
 }
 
-void DeviceSpheres::find_faces() {
+void DeviceParticles::find_faces() {
   Lists& to = fresh_face_lists_;
   search_into(to, [&](const sc_counts& sizes) {
     program_.run("sc_find_faces", n_, group, sizes, skin_ + beyond_, column("motion"), columns_.at("effect_excess"),
@@ -137,13 +137,13 @@ void DeviceSpheres::find_faces() {
 }
 
 /// A wall may jump away from a contact; two particles cannot part so fast.
-void DeviceSpheres::demand_none_lost() const {
+void DeviceParticles::demand_none_lost() const {
   if (counters_.values<std::int32_t>(1)[0] != 0)
     throw std::logic_error("a contact that acts is on no list of the device");
 }
 
 /// Gives fresh lists the memory of those before, and their place.
-void DeviceSpheres::carry_over(Lists& from, Lists& to, bool of_faces) {
+void DeviceParticles::carry_over(Lists& from, Lists& to, bool of_faces) {
   const int none[2] = {0, 0};
   counters_.write(none, sizeof none);
   to.shapes.clear();  // spheres among shapes have nothing there
@@ -158,14 +158,14 @@ void DeviceSpheres::carry_over(Lists& from, Lists& to, bool of_faces) {
 }
 
 /// Notes where everybody is.
-void DeviceSpheres::note_places() {
+void DeviceParticles::note_places() {
   if (mixed_)
     mixed_->listed.copy_from(mixed_->near[now_], mixed_->listed.bytes());
   else
     program_.run("sc_note_places", n_, group, static_cast<int>(n_), motion_[now_], listed_);
 }
 
-void DeviceSpheres::list_faces() {
+void DeviceParticles::list_faces() {
   find_faces();
   carry_over(face_lists_, fresh_face_lists_, true);
   const std::size_t slots = n_ * static_cast<std::size_t>(face_lists_.room);
@@ -175,7 +175,7 @@ void DeviceSpheres::list_faces() {
   if (shapes_) shapes_->places = opencl::DeviceBuffer(device_, slots * 3 * 4 * sizeof(double));
 }
 
-void DeviceSpheres::make_lists() {
+void DeviceParticles::make_lists() {
   adapt_skin();
   if (borders_) meet_others();
   sort_particles();

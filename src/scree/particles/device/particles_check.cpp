@@ -9,7 +9,7 @@
 
 #include "scree/base/error.h"
 #include "scree/base/random.h"
-#include "scree/particles/device/spheres.h"
+#include "scree/particles/device/particles.h"
 #include "scree/physics/contact/law.h"
 
 namespace scree {
@@ -86,12 +86,12 @@ std::array<double, 16> numbers_of(const SingleResult& r) {
 
 }  // namespace
 
-void DeviceSpheres::refuse(const std::string& what) const {
+void DeviceParticles::refuse(const std::string& what) const {
   throw ResourceError(fmt::format("{} ({}, driver {}) does not compute as this program does: {}", device_.info().name,
                                   device_.info().platform, device_.info().driver, what));
 }
 
-void DeviceSpheres::check_kernels() {
+void DeviceParticles::check_kernels() {
   check_sizes("sc_sizes", {sizeof(sc_device_step), sizeof(sc_findings), sizeof(sc_wall), sizeof(sc_wall_pose),
                            sizeof(sc_field), sizeof(sc_flow_shape)});
   check_sizes("sc_law_sizes", {sizeof(sc_pair_law), sizeof(sc_contact_time), sizeof(sc_touch), sizeof(sc_contact_state),
@@ -106,7 +106,7 @@ void DeviceSpheres::check_kernels() {
   check_single_law();
 }
 
-void DeviceSpheres::check_sizes(const char* kernel, const std::vector<int>& expected) {
+void DeviceParticles::check_sizes(const char* kernel, const std::vector<int>& expected) {
   opencl::DeviceBuffer found(device_, expected.size() * sizeof(int));
   program_.run(kernel, 1, 1, found);
   if (const auto sizes = found.values<int>(expected.size()); sizes != expected)
@@ -114,7 +114,7 @@ void DeviceSpheres::check_sizes(const char* kernel, const std::vector<int>& expe
 }
 
 /// A scan over several blocks.
-void DeviceSpheres::check_sums() {
+void DeviceParticles::check_sums() {
   std::vector<std::int32_t> numbers(5000);
   for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = static_cast<std::int32_t>(k * k % 7);
   opencl::DeviceBuffer values(device_, numbers.size() * sizeof numbers[0]);
@@ -126,7 +126,7 @@ void DeviceSpheres::check_sums() {
 }
 
 /// The chosen law, to the last bit.
-void DeviceSpheres::check_law() {
+void DeviceParticles::check_law() {
   const double r = 0.5 * range_;
   const sc_contact_time time{1e-4, 0.5e-4, 1e-4};
   std::vector<sc_touch> touch;
@@ -153,7 +153,7 @@ void DeviceSpheres::check_law() {
 
 /// The chosen law in single precision, to what rounding may do. Each number is compared with the largest of its kind.
 /// Where a contact is about to begin or to slide, rounding may decide: that happens once in a thousand runs.
-void DeviceSpheres::check_single_law() {
+void DeviceParticles::check_single_law() {
   constexpr double most_wrong = 1e-4;
   constexpr int most_decided = 2;
   const sc_fixed_space& u = mixed_->space;
@@ -183,9 +183,9 @@ void DeviceSpheres::check_single_law() {
 }
 
 /// What the law in single precision makes of contacts.
-std::vector<std::array<double, 16>> DeviceSpheres::single_results(const sc_contact_time& time,
-                                                                  const std::vector<float>& touches,
-                                                                  const std::vector<float>& states) {
+std::vector<std::array<double, 16>> DeviceParticles::single_results(const sc_contact_time& time,
+                                                                    const std::vector<float>& touches,
+                                                                    const std::vector<float>& states) {
   opencl::DeviceBuffer touch_rows(device_, touches.size() * sizeof(float));
   opencl::DeviceBuffer state_rows(device_, states.size() * sizeof(float));
   opencl::DeviceBuffer results(device_, tries * sizeof(SingleResult));
