@@ -214,6 +214,10 @@ class DeviceParticles {
   void list_pairs();
   void make_lists();
   void sort_particles();
+  void take(const opencl::DeviceBuffer& rows, std::size_t count, std::size_t row_bytes,
+            const opencl::DeviceBuffer& from, opencl::DeviceBuffer& packed);
+  void put(const opencl::DeviceBuffer& rows, std::size_t count, std::size_t row_bytes,
+           const opencl::DeviceBuffer& packed, opencl::DeviceBuffer& to);
   void permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t count);
   void permute_state(std::size_t count);
   void note_places();

@@ -45,11 +45,26 @@ void DeviceParticles::scan(opencl::DeviceBuffer& values, int count) {
   program_.run("sc_add_blocks", static_cast<std::size_t>(count), group, count, values, sums);
 }
 
+/// Packs the `count` rows of `from` with these numbers.
+void DeviceParticles::take(const opencl::DeviceBuffer& rows, std::size_t count, std::size_t row_bytes,
+                           const opencl::DeviceBuffer& from, opencl::DeviceBuffer& packed) {
+  if (count == 0) return;
+  const std::size_t words = row_bytes / sizeof(std::uint32_t);
+  program_.run("sc_take_rows", count * words, group, static_cast<int>(count), static_cast<int>(words), rows, from,
+               packed);
+}
+
+/// Puts packed rows where these numbers say.
+void DeviceParticles::put(const opencl::DeviceBuffer& rows, std::size_t count, std::size_t row_bytes,
+                          const opencl::DeviceBuffer& packed, opencl::DeviceBuffer& to) {
+  if (count == 0) return;
+  const std::size_t words = row_bytes / sizeof(std::uint32_t);
+  program_.run("sc_put_rows", count * words, group, static_cast<int>(count), static_cast<int>(words), rows, packed, to);
+}
+
 /// Puts the first `count` rows in order.
 void DeviceParticles::permute(opencl::DeviceBuffer& rows, std::size_t row_bytes, std::size_t count) {
-  const std::size_t words = row_bytes / sizeof(std::uint32_t);
-  program_.run("sc_take_rows", count * words, group, static_cast<int>(count), static_cast<int>(words), order_, rows,
-               scratch_);
+  take(order_, count, row_bytes, rows, scratch_);
   rows.copy_from(scratch_, count * row_bytes);
 }
 
@@ -61,11 +76,8 @@ void DeviceParticles::permute_state(std::size_t count) {
     return;
   }
   // The state of the next step is free to take the rows in their new order.
-  for (const auto& [name, both] : {std::pair("motion", motion_), std::pair("spin", spin_)}) {
-    const std::size_t words = row_bytes_.at(name) / sizeof(std::uint32_t);
-    program_.run("sc_take_rows", count * words, group, static_cast<int>(count), static_cast<int>(words), order_,
-                 both[now_], both[1 - now_]);
-  }
+  for (const auto& [name, both] : {std::pair("motion", motion_), std::pair("spin", spin_)})
+    take(order_, count, row_bytes_.at(name), both[now_], both[1 - now_]);
   now_ = 1 - now_;
 }
 

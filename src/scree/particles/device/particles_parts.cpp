@@ -251,9 +251,8 @@ Particles DeviceParticles::particles_at(const std::vector<std::int32_t>& rows) {
   if (rows.empty()) return out;
   const opencl::DeviceBuffer from = opencl::sent(device_, rows);
   out.for_each_field([&](std::string_view name, auto& values, auto...) {
-    const std::size_t row_bytes = row_bytes_.at(name), words = row_bytes / sizeof(std::uint32_t);
-    program_.run("sc_take_rows", rows.size() * words, group, static_cast<int>(rows.size()), static_cast<int>(words),
-                 from, column(name), scratch_);
+    const std::size_t row_bytes = row_bytes_.at(name);
+    take(from, rows.size(), row_bytes, column(name), scratch_);
     scratch_.read(values.values.data(), rows.size() * row_bytes);
   });
   return out;
@@ -294,8 +293,7 @@ DeviceParticles::ContactsOfSome DeviceParticles::contacts_of(const std::vector<s
 std::vector<std::int64_t> DeviceParticles::ids_at(const std::vector<std::int32_t>& rows) {
   if (rows.empty()) return {};
   opencl::DeviceBuffer ids(device_, rows.size() * sizeof(std::int64_t));
-  program_.run("sc_take_rows", 2 * rows.size(), group, static_cast<int>(rows.size()), 2, opencl::sent(device_, rows),
-               columns_.at("id"), ids);
+  take(opencl::sent(device_, rows), rows.size(), sizeof(std::int64_t), columns_.at("id"), ids);
   return ids.values<std::int64_t>(rows.size());
 }
 

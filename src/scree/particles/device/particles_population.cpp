@@ -33,10 +33,9 @@ void DeviceParticles::put_rows(const std::vector<std::int32_t>& rows, const Part
   if (rows.empty()) return;
   const opencl::DeviceBuffer to = opencl::sent(device_, rows);
   values.for_each_field([&](std::string_view name, const auto& from, auto...) {
-    const std::size_t row_bytes = row_bytes_.at(name), words = row_bytes / sizeof(std::uint32_t);
+    const std::size_t row_bytes = row_bytes_.at(name);
     scratch_.write(from.values.data(), rows.size() * row_bytes);
-    program_.run("sc_put_rows", rows.size() * words, group, static_cast<int>(rows.size()), static_cast<int>(words), to,
-                 scratch_, column(name));
+    put(to, rows.size(), row_bytes, scratch_, column(name));
   });
 }
 

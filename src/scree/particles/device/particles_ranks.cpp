@@ -35,8 +35,7 @@ void DeviceParticles::put_words(const std::vector<std::int32_t>& rows, std::int3
   if (rows.empty()) return;
   const std::vector<std::int32_t> words(rows.size(), word);
   scratch_.write(words.data(), words.size() * sizeof word);
-  program_.run("sc_put_rows", rows.size(), group, static_cast<int>(rows.size()), 1, opencl::sent(device_, rows),
-               scratch_, to);
+  put(opencl::sent(device_, rows), rows.size(), sizeof word, scratch_, to);
 }
 
 /// The particles of the system are this rank's own ones and copies of those near its block.
@@ -180,8 +179,7 @@ void DeviceParticles::take_places(const Particles& around, std::unordered_map<st
 /// Where rows have gone when the particles were sorted.
 void DeviceParticles::follow(std::vector<std::int32_t>& rows) {
   if (rows.empty()) return;
-  program_.run("sc_take_rows", rows.size(), group, static_cast<int>(rows.size()), 1, opencl::sent(device_, rows),
-               place_, scratch_);
+  take(opencl::sent(device_, rows), rows.size(), sizeof rows[0], place_, scratch_);
   rows = scratch_.values<std::int32_t>(rows.size());
 }
 
@@ -251,16 +249,12 @@ void DeviceParticles::share_lost(int step) {
 /// set the flag of the next step.
 bool DeviceParticles::swap_ghosts(int to, int step) {
   DeviceBorders& b = *borders_;
-  const auto take = [&](const opencl::DeviceBuffer& from, std::size_t row, opencl::DeviceBuffer& packed) {
-    const std::size_t words = row * sizeof(double) / sizeof(std::uint32_t);
-    if (!b.sent.empty())
-      program_.run("sc_take_rows", b.sent.size() * words, group, static_cast<int>(b.sent.size()),
-                   static_cast<int>(words), b.sent_rows, from, packed);
-    std::vector<double> rows(b.sent.size() * row);
-    packed.read(rows.data(), rows.size() * sizeof(double));
-    return rows;
+  const auto taken_from = [&](const opencl::DeviceBuffer& from, std::size_t row, opencl::DeviceBuffer& packed) {
+    take(b.sent_rows, b.sent.size(), row * sizeof(double), from, packed);
+    return packed.values<double>(b.sent.size() * row);
   };
-  const std::vector<double> motion = take(motion_[to], motion_row, b.motion), spin = take(spin_[to], spin_row, b.spin);
+  const std::vector<double> motion = taken_from(motion_[to], motion_row, b.motion);
+  const std::vector<double> spin = taken_from(spin_[to], spin_row, b.spin);
   std::int32_t flag = 0;
   stale_.read(&flag, sizeof flag, static_cast<std::size_t>(step + 1) * sizeof flag);
   std::size_t first = 0;
@@ -281,15 +275,8 @@ bool DeviceParticles::swap_ghosts(int to, int step) {
     b.spin.write(from + bytes, count * spin_row * sizeof(double), first * spin_row * sizeof(double));
     first += count;
   }
-  const auto put = [&](const opencl::DeviceBuffer& packed, std::size_t row, opencl::DeviceBuffer& into) {
-    const std::size_t words = row * sizeof(double) / sizeof(std::uint32_t);
-    program_.run("sc_put_rows", b.ghosts.size() * words, group, static_cast<int>(b.ghosts.size()),
-                 static_cast<int>(words), b.ghost_rows, packed, into);
-  };
-  if (!b.ghosts.empty()) {
-    put(b.motion, motion_row, motion_[to]);
-    put(b.spin, spin_row, spin_[to]);
-  }
+  put(b.ghost_rows, b.ghosts.size(), motion_row * sizeof(double), b.motion, motion_[to]);
+  put(b.ghost_rows, b.ghosts.size(), spin_row * sizeof(double), b.spin, spin_[to]);
   return b.ranks.largest(flag) != 0;
 }
 
