@@ -16,7 +16,7 @@ MAY_INCLUDE = {
     "particles": "mpi data compute kernels physics base",
     "fluid": "mpi data compute kernels physics base",
     "coupling": "particles fluid mpi data compute kernels physics base",
-    "analysis": "particles fluid mpi data base",
+    "analysis": "particles fluid mpi data kernels physics base",
     "output": "mpi data base",
     "input": "data physics base",
     "app": "input output analysis coupling particles fluid mpi data compute kernels physics base",

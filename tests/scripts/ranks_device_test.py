@@ -48,10 +48,6 @@ series = "5 ms"
 """
 
 
-def without_planes(case):
-    return re.sub(r"\[\[analysis\.planes\]\]\n(\w.*\n)+", "", case)
-
-
 class OnDevices(Ranks):
     def same_on_devices(self, case, ranks):
         alone = self.run_on(0, case, "alone")
@@ -66,7 +62,7 @@ class OnDevices(Ranks):
         return alone
 
     def test_a_crowd_through_periodic_faces_walls_and_cuts(self):
-        self.same_on_devices(without_planes(CROWD), [2, 3])
+        self.same_on_devices(CROWD, [2, 3])
 
     def test_a_swarm_for_which_blocks_are_cut_anew(self):
         self.same_on_devices(SWARM, [4])
@@ -74,7 +70,7 @@ class OnDevices(Ranks):
         self.assertLess(shared["sharing"]["most_particles"], 1.3 * shared["particles"] / 4)
 
     def test_particles_that_come_and_go(self):
-        self.same_on_devices(without_planes(SPHERES_COME), [2])
+        self.same_on_devices(SPHERES_COME, [2])
 
     def test_torques_of_a_stream_turn_copies_too(self):
         self.same_on_devices(TURNED, [2])
@@ -93,14 +89,14 @@ class OnDevices(Ranks):
             self.assertEqual(ended[1][key], ended[0][key], key)
 
     def test_a_restart_on_another_number_of_devices(self):
-        case = without_planes(CROWD)
+        case = CROWD
         alone = self.run_on(0, case, "alone")
         self.run_on(2, case, "parts", "--device", "opencl", "--until", "0.02")
         gone_on = self.run_on(3, case, "parts", "--device", "opencl", "--restart", "latest")
         self.assertEqual(gone_on["state_hash"], alone["state_hash"])
 
     def test_what_goes_wrong_stops_all_in_the_same_step(self):
-        case = without_planes(CROWD).replace("max_overlap = 0.9", "max_overlap = 0.02")
+        case = CROWD.replace("max_overlap = 0.9", "max_overlap = 0.02")
         said = [self.scree(n, case, f"fails{n}", *words).stderr
                 for n, words in ((0, []), (2, ["--device", "opencl"]))]
         self.assertIn("overlap", said[0])

@@ -178,18 +178,21 @@ TEST(Device, StopsAtTheFirstOfTwoThingsThatGoWrongInStepsGivenAhead) {
 
 TEST(Device, RefusesByNameWhatItDoesNotHave) {
   const std::string good = slab({"rough", rough_laws, rough_material}, gravity);
-  const auto refused = [&](const std::string& more) {
+  const auto refused = [&](const std::string& more, const Overrides& overrides = {}) {
     try {
-      refuse_on_device(case_of(good + more));
+      refuse_on_device(case_of(good + more, overrides));
     } catch (const InputError& error) {
       return std::string(error.what());
     }
     return std::string();
   };
   EXPECT_EQ(refused(""), "");
-  const std::string planes = refused("[[analysis.planes]]\nname = \"p\"\npoint = [0, 0, 0.01]\nnormal = [0, 0, 1]\n");
-  EXPECT_NE(planes.find("E193"), std::string::npos) << planes;
-  EXPECT_NE(planes.find("counting planes"), std::string::npos) << planes;
+  const std::string heat =
+      refused("[heat]\ntype = \"solved\"\n",
+              {"particles.0.temperature=300", "particles.1.temperature=400", "materials.0.heat_capacity=800",
+               "materials.1.heat_capacity=900", "materials.0.conductivity=1", "materials.1.conductivity=2"});
+  EXPECT_NE(heat.find("E193"), std::string::npos) << heat;
+  EXPECT_NE(heat.find("temperatures of particles"), std::string::npos) << heat;
 }
 
 TEST(Device, NamesThoseThatThereAre) {

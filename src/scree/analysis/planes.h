@@ -1,29 +1,16 @@
 // Counting planes: how many particles, and how much mass, have passed through a surface.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "scree/base/exact_sum.h"
 #include "scree/data/domain.h"
 #include "scree/data/particles.h"
+#include "scree/data/plane_count.h"
+#include "scree/kernels/counting_plane.h"
 
 namespace scree {
-
-/// A plane, or what of it lies within a distance of its point and within a box.
-struct CountingPlane {
-  std::array<double, 3> point{}, normal{};  // [m], unit vector
-  double radius = 0;                        // of the disc about the point; infinite for a whole plane [m]
-  std::array<double, 3> min{}, max{};       // the box [m]
-};
-
-/// What has passed through a plane since the start.
-struct PlaneCount {
-  std::int64_t along = 0, against = 0;  // particles that crossed along the normal, and against it
-  ExactSum mass;                        // net, along the normal [kg]
-};
 
 /// Watches the centres of all particles of finite mass. A particle passes when it goes over from the side against the
 /// normal (the plane's own points are on the other side); the place of passing is where a straight way meets the plane.
@@ -33,26 +20,25 @@ struct PlaneCount {
 /// periodic axis the nearest image of the plane counts; its normal is along such an axis, or at right angles to it.
 class PlaneWatch {
  public:
-  explicit PlaneWatch(const CountingPlane& plane) : plane_(plane) {}
+  explicit PlaneWatch(const sc_counting_plane& plane) : plane_(plane) {}
 
-  /// Looks at the particles after a step of `dt` [s] with their present velocities; those that have not been seen
-  /// before are taken to have come with these velocities. `first`: nobody has passed yet, only sides are noted.
-  void look(const Particles& particles, const Domain& domain, double dt, bool first);
+  /// Notes on which side all are: at the start, and whenever others have come.
+  void note(const Particles& particles, const Domain& domain);
 
-  /// Notes the sides of all whose ids are below `fresh`: who has been watched elsewhere so far has not passed
-  /// meanwhile.
-  void note(const Particles& particles, const Domain& domain, std::int64_t fresh);
+  /// Looks at the particles after a step, with their present velocities.
+  void look(const Particles& particles, const Domain& domain);
 
+  const sc_counting_plane& plane() const { return plane_; }
   const PlaneCount& count() const { return count_; }
+
+  /// Adds what has passed while somebody else has looked.
+  void add(const PlaneCount& count) { count_.add(count); }
+
   void restore(const PlaneCount& count) { count_ = count; }
 
  private:
-  enum Side : std::uint8_t { unseen, before, behind };
-
-  void make_room(const Particles& particles);
-
-  CountingPlane plane_;
-  std::vector<std::uint8_t> side_;  // [ids]
+  sc_counting_plane plane_;
+  std::vector<std::uint8_t> side_;  // [ids]: SC_..._PLANE
   PlaneCount count_;
 };
 

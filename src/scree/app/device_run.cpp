@@ -130,6 +130,7 @@ void refuse_in_mixed(const Case& c, bool several) {
   if (c.flow.buoyancy) lacks("flow.buoyancy", "buoyancy is");
   if (c.flow.drag != "none" && c.flow.drag != "stokes" && c.flow.drag != "schiller_naumann")
     lacks("flow.drag", "drag by shape is");
+  if (!c.analysis.planes.empty()) lacks("analysis.planes.0.point", "counting planes are");
   const FluidForces forces = build_forces(c.flow.drag, c.flow);
   if (forces.push() || forces.turn() || c.flow.pressure_force)
     lacks("flow.type", "forces of a flow besides the drag of spheres are");
@@ -144,7 +145,6 @@ void refuse_on_device(const Case& c, bool several) {
   if (solves_flow(c) && !couples(c)) refuse(c, "fluid.type", "flows that are solved for are");
   if (several) refuse_on_several(c);
   if (warms(c)) refuse(c, "heat.type", "temperatures of particles are");
-  if (!c.analysis.planes.empty()) refuse(c, "analysis.planes.0.point", "counting planes are");
 }
 
 }  // namespace scree

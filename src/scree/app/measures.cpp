@@ -58,7 +58,7 @@ void Measures::look(Simulation& simulation) {
   seen_step_ = clock.step;
 }
 
-void Measures::count(const Simulation& simulation) {
+void Measures::count(Simulation& simulation) {
   const std::vector<PlaneCount> counts = simulation.plane_counts();
   for (std::size_t k = 0; k < planes_.size(); ++k) planes_[k].count = counts[k];
 }

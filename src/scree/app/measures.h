@@ -24,7 +24,7 @@ class Measures {
   void look(Simulation& simulation);
 
   /// Takes up what the planes have counted so far, for row() and save().
-  void count(const Simulation& simulation);
+  void count(Simulation& simulation);
 
   /// Values of measure_columns() for a row, `regions` among them; rates are those since the row before.
   std::vector<double> row(Simulation& simulation, const std::vector<RegionFacts>& regions);

@@ -7,12 +7,12 @@
 namespace scree {
 namespace {
 
-CountingPlane plane_of(const PlaneKeys& keys) {
-  CountingPlane out{keys.point, keys.normal, std::numeric_limits<double>::infinity(), keys.min, keys.max};
-  const double length = std::hypot(keys.normal[0], keys.normal[1], keys.normal[2]);
-  for (double& n : out.normal) n /= length;
-  if (keys.radius) out.radius = *keys.radius;
-  return out;
+sc_counting_plane plane_of(const PlaneKeys& keys) {
+  const auto vec = [](const std::array<double, 3>& v) { return sc_make_vec(v[0], v[1], v[2]); };
+  const std::array<double, 3>& n = keys.normal;
+  const double length = std::hypot(n[0], n[1], n[2]);
+  return {vec(keys.point), sc_make_vec(n[0] / length, n[1] / length, n[2] / length),
+          keys.radius.value_or(std::numeric_limits<double>::infinity()), vec(keys.min), vec(keys.max)};
 }
 
 }  // namespace
@@ -21,18 +21,28 @@ PlaneWatches::PlaneWatches(const Case& c) {
   for (const PlaneKeys& keys : c.analysis.planes) watches_.emplace_back(plane_of(keys));
 }
 
-void PlaneWatches::begin(const Particles& particles, const Domain& domain, double dt) {
+std::vector<sc_counting_plane> PlaneWatches::planes() const {
+  std::vector<sc_counting_plane> out;
+  for (const PlaneWatch& watch : watches_) out.push_back(watch.plane());
+  return out;
+}
+
+void PlaneWatches::begin(const Particles& particles, const Domain& domain) {
   if (begun_) return;
-  for (PlaneWatch& watch : watches_) watch.look(particles, domain, dt, true);
+  note(particles, domain);
   begun_ = true;
 }
 
-void PlaneWatches::note(const Particles& particles, const Domain& domain, std::int64_t fresh) {
-  for (PlaneWatch& watch : watches_) watch.note(particles, domain, fresh);
+void PlaneWatches::note(const Particles& particles, const Domain& domain) {
+  for (PlaneWatch& watch : watches_) watch.note(particles, domain);
 }
 
-void PlaneWatches::look(const Particles& particles, const Domain& domain, double dt) {
-  for (PlaneWatch& watch : watches_) watch.look(particles, domain, dt, false);
+void PlaneWatches::look(const Particles& particles, const Domain& domain) {
+  for (PlaneWatch& watch : watches_) watch.look(particles, domain);
+}
+
+void PlaneWatches::add(const std::vector<PlaneCount>& counts) {
+  for (std::size_t k = 0; k < watches_.size(); ++k) watches_[k].add(counts[k]);
 }
 
 std::vector<PlaneCount> PlaneWatches::counts(const Ranks& ranks) const {
@@ -45,9 +55,7 @@ std::vector<PlaneCount> PlaneWatches::counts(const Ranks& ranks) const {
     for (std::size_t k = 0; k < all.size(); ++k) {
       PlaneCount more;
       std::memcpy(static_cast<void*>(&more), counted.data() + k * sizeof more, sizeof more);
-      all[k].along += more.along;
-      all[k].against += more.against;
-      all[k].mass.add(more.mass);
+      all[k].add(more);
     }
   return all;
 }

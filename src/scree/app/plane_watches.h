@@ -16,16 +16,19 @@ class PlaneWatches {
   explicit PlaneWatches(const Case& c);
 
   bool empty() const { return watches_.empty(); }
+  std::vector<sc_counting_plane> planes() const;
 
-  /// Before a step: nobody has passed yet where nobody has been seen.
-  void begin(const Particles& particles, const Domain& domain, double dt);
+  /// Before the first step: nobody has passed yet.
+  void begin(const Particles& particles, const Domain& domain);
 
-  /// Others have come from other ranks since the last step: notes the sides of all with ids below `fresh`; those that
-  /// have come into the run since are taken to have come with their velocities, wherever they are.
-  void note(const Particles& particles, const Domain& domain, std::int64_t fresh);
+  /// Others have come since the last step, into the run or from other ranks, and have not passed yet where they are.
+  void note(const Particles& particles, const Domain& domain);
 
   /// After a step.
-  void look(const Particles& particles, const Domain& domain, double dt);
+  void look(const Particles& particles, const Domain& domain);
+
+  /// Adds what has passed each plane while a device has looked.
+  void add(const std::vector<PlaneCount>& counts);
 
   /// What has passed each plane since the start, at the root; all ranks call it.
   std::vector<PlaneCount> counts(const Ranks& ranks) const;

@@ -79,7 +79,7 @@ void Simulation::step() {
 void Simulation::advance() {
   const EffortMeter meter(effort_, ranks_);
   if (device_) return advance_on_device();
-  planes_.begin(system_.particles, system_.domain, clock_.dt);
+  planes_.begin(system_.particles, system_.domain);
   move_walls(clock_.now());
   exchange_particles();
   refresh_neighbours();
@@ -89,8 +89,8 @@ void Simulation::advance() {
   system_.hard ? collide_particles() : advance_particles();
   move_prescribed_bodies();
   clock_.advance();
-  guard();
   look_at_planes();
+  guard();
 }
 
 /// Puts the walls where they are at a time.
@@ -113,7 +113,7 @@ bool Simulation::exchange_particles() {
     heat_books_.inserted += heat_content(system_.particles, ranks_) - left;
     lists_.ghosts_current = false;
   }
-  note_owners();
+  planes_.note(system_.particles, system_.domain);
   findings_.fastest2 = ranks_.largest(fastest_square(system_.particles));
   count_ = ranks_.total(static_cast<std::int64_t>(system_.particles.size()));
   return true;
@@ -133,7 +133,8 @@ bool Simulation::exchange_within(ParticleSystem& system, ContactLists& lists, co
 
 void Simulation::refresh_neighbours() {
   const Stopwatch watch(stages_, "neighbours");
-  if (refresh_lists(system_, lists_, team_)) note_owners();
+  // Particles may have come from other ranks, who know on which side of the planes they are.
+  if (refresh_lists(system_, lists_, team_) && !ranks_.alone()) planes_.note(system_.particles, system_.domain);
 }
 
 /// Heat passes through the contacts, as they and the temperatures are now.
@@ -156,16 +157,10 @@ void Simulation::step_fluid(Particles& particles) {
   count(fluid_tally_, coupling_->report);
 }
 
-/// Particles may have come from other ranks, who know on which side of the planes they are.
-void Simulation::note_owners() {
-  if (!ranks_.alone()) planes_.note(system_.particles, system_.domain, fresh_);
-}
-
 void Simulation::look_at_planes() {
-  fresh_ = exchange_.next_id();
   if (planes_.empty()) return;
   const Stopwatch watch(stages_, "planes");
-  planes_.look(system_.particles, system_.domain, clock_.dt);
+  planes_.look(system_.particles, system_.domain);
 }
 
 void Simulation::evaluate_fields(const ParticleSystem& system, double time, Buffer<sc_field>& field) {

@@ -141,7 +141,7 @@ class Simulation {
   std::string state_hash();
 
   /// What has passed each plane of the case since the start.
-  std::vector<PlaneCount> plane_counts() const;
+  std::vector<PlaneCount> plane_counts();
 
   /// Everything that continuing to the last bit needs; of several ranks, this rank's part of it.
   Archive save();
@@ -199,6 +199,7 @@ class Simulation {
   void send_to_device();
   void move_walls_on_device();
   void settle_device();
+  void take_passings();
   void retrieve();
   bool is_on_device() const;
   void help(Call what);
@@ -225,7 +226,6 @@ class Simulation {
   void exchange_on_device();
   bool exchange_within(ParticleSystem& system, ContactLists& lists, const Buffer<sc_field>& fields);
   void move_prescribed_bodies();
-  void note_owners();
   void look_at_planes();
   void refresh_neighbours();
   void conduct_heat();
@@ -262,7 +262,6 @@ class Simulation {
   Exchange exchange_;
   PlaneWatches planes_;
   std::vector<Region> regions_;
-  std::int64_t fresh_ = 0;  // ids from here on have come since the last step
   ContactLists lists_;
   Buffer<sc_field> field_;
   Clock clock_;

@@ -43,8 +43,16 @@ void Simulation::send_to_device() {
     refresh_neighbours();
     update_ghosts(system_, lists_);
   }
+  if (is_on_device()) take_passings();
   device_->particles.emplace(device_->device, device_->precision, system_, lists_, fields_on_device(),
                              case_.simulation.max_overlap);
+  device_->particles->watch(planes_.planes());
+}
+
+/// Adds to the planes' counts what has passed on the device.
+void Simulation::take_passings() {
+  settle_device();
+  planes_.add(device_->particles->take_counts());
 }
 
 /// Those who may come or go, with their neighbours, are dealt with by the host.

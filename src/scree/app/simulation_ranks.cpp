@@ -70,7 +70,7 @@ void Simulation::help(Call what) {
     case Call::gather:
       return gather();
     case Call::planes:
-      return void(planes_.counts(ranks_));
+      return void(plane_counts());
     case Call::report:
       return void(report());
     case Call::fluid_row:
@@ -117,7 +117,6 @@ void Simulation::settle() {
 void Simulation::cut_blocks(const Ranks& who_counts) {
   count_ = who_counts.total(static_cast<std::int64_t>(system_.particles.size()));
   whole_step_ = -1;
-  fresh_ = exchange_.next_id();
   if (ranks_.alone()) return;
   lists_.ranks = ranks_;
   lists_.blocks = equal_blocks(ranks_.count(), system_.domain);
@@ -161,9 +160,10 @@ std::vector<std::pair<std::string, double>> Simulation::sharing() const {
           {"most_particles", most_particles}};
 }
 
-std::vector<PlaneCount> Simulation::plane_counts() const {
+std::vector<PlaneCount> Simulation::plane_counts() {
   if (planes_.empty()) return {};
   call(Call::planes);
+  if (is_on_device()) take_passings();
   return planes_.counts(ranks_);
 }
 

@@ -2,6 +2,7 @@
 #ifndef SCREE_KERNELS_OPENCL_PARAMETERS_H
 #define SCREE_KERNELS_OPENCL_PARAMETERS_H
 
+#include "scree/kernels/box.h"
 #include "scree/kernels/fields.h"
 #include "scree/kernels/move_sphere.h"
 #include "scree/kernels/region.h"
@@ -34,12 +35,6 @@ typedef struct {
   real interval;            // over which the change of a flow with time is taken [s]
   real now;                 // time of the positions [s]
 } sc_surroundings;
-
-/// The box.
-typedef struct {
-  real low[3], high[3];            // infinitely far beyond open faces [m]
-  real period[3], half_period[3];  // 0 and infinite where the box is not periodic
-} sc_box;
 
 /// The cells that particles are sorted into; who is beyond them belongs to the outermost.
 typedef struct {

@@ -42,16 +42,8 @@ SC_FN int sc_counts_pair(sc_state state, size_t i, size_t j) {
   return !(sc_is_ghost(state.ghost, j) ? state.id[j] < state.id[i] : j < i);
 }
 
-SC_FN real sc_nearest_image(real d, real period, real middle) {
-  if (d > middle) d -= period;
-  if (d < -middle) d += period;
-  return d;
-}
-
 SC_FN sc_vec sc_branch(sc_space box, sc_place a, sc_place b) {
-  return sc_make_vec(sc_nearest_image(b.x - a.x, box.period[0], box.half_period[0]),
-                     sc_nearest_image(b.y - a.y, box.period[1], box.half_period[1]),
-                     sc_nearest_image(b.z - a.z, box.period[2], box.half_period[2]));
+  return sc_to_nearest_image(box, sc_make_vec(b.x - a.x, b.y - a.y, b.z - a.z));
 }
 
 /// Whether bodies may act on each other that do so within `range` [m] or [length].

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "scree/compute/opencl/text.h"
+#include "scree/particles/box.h"
 #include "scree/particles/sweep.h"
 
 namespace scree {
@@ -35,17 +36,6 @@ std::string text_for(Precision precision, const Fields& fields, bool shaped) {
   const std::string text =
       DeviceFields::formulas(fields) + opencl::kernel_text + (shaped ? opencl::shape_kernel_text : "");
   return precision == Precision::full ? text : opencl::single_text + text + opencl::mixed_text;
-}
-
-sc_box box_of(const Domain& domain) {
-  sc_box box{};
-  for (int k = 0; k < 3; ++k) {
-    box.low[k] = domain.low(k);
-    box.high[k] = domain.high(k);
-    box.period[k] = domain.period(k);
-    box.half_period[k] = domain.half_period(k);
-  }
-  return box;
 }
 
 }  // namespace
@@ -193,6 +183,7 @@ void DeviceParticles::launch(const Given& given, int number) {
     launch_mixed(number, from, to);
   else
     launch_spheres(number, from, to);
+  if (planes_) count_passings(number, from, to);
 }
 
 /// The step of spheres; `state` is what the kernel calls so.
@@ -304,7 +295,7 @@ std::size_t DeviceParticles::bytes() const {
         &cell_of_, &cell_first_, &cursor_, &order_, &place_, &scratch_, &found_})
     sum += b->bytes();
   for (const Lists* l : {&lists_, &fresh_, &face_lists_, &fresh_face_lists_}) sum += l->bytes();
-  return sum + (shapes_ ? shapes_->bytes() : 0);
+  return sum + (shapes_ ? shapes_->bytes() : 0) + (planes_ ? planes_->bytes() : 0);
 }
 
 }  // namespace scree

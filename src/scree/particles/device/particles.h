@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "scree/compute/opencl/device.h"
+#include "scree/kernels/counting_plane.h"
 #include "scree/kernels/opencl/parameters.h"
 #include "scree/particles/device/borders.h"
 #include "scree/particles/device/fields.h"
 #include "scree/particles/device/mixed_state.h"
+#include "scree/particles/device/planes.h"
 #include "scree/particles/device/precision.h"
 #include "scree/particles/device/shapes.h"
 #include "scree/particles/keyed_contacts.h"
@@ -55,6 +57,12 @@ class DeviceParticles {
   /// others' particles must be there, and all ranks call all members alike. Throws ResourceError.
   DeviceParticles(const opencl::Device& device, Precision precision, const ParticleSystem& system,
                   const ContactLists& lists, const Fields& fields, double max_overlap);
+
+  /// Counts who passes these planes from now on.
+  void watch(const std::vector<sc_counting_plane>& planes);
+
+  /// What has passed each plane on this rank since this was asked last. All steps must be settled.
+  std::vector<PlaneCount> take_counts();
 
   /// Gives a step to the device that begins at the time `now` [s]; it is done later.
   void step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls, double now);
@@ -177,6 +185,7 @@ class DeviceParticles {
   Luggage remembered(const Lists& pairs, const Lists& faces, const std::vector<std::int64_t>& id, IdOf&& id_of) const;
   Lists make_room(std::size_t particles, int room, Remembers remembers) const;
   void reserve(std::size_t rows);
+  void make_scratch(std::size_t row_bytes);
   opencl::DeviceBuffer& column(std::string_view name);
   const opencl::DeviceBuffer& column(std::string_view name) const;
   Lists taken(const Lists& lists, const std::vector<std::int32_t>& rows);
@@ -233,6 +242,8 @@ class DeviceParticles {
   void adapt_skin();
   void launch(const Given& given, int number);
   void meet_fields(int number, int from);
+  void count_passings(int number, int from, int to);
+  void take_passings();
   const opencl::DeviceBuffer& column_or_none(std::string_view name) const;
   template <class... State>
   void pass(const char* kernel, int number, const State&... state);
@@ -276,6 +287,7 @@ class DeviceParticles {
   opencl::DeviceBuffer cell_of_, cell_first_, cursor_, order_, place_, gone_, scratch_, found_, stale_, counters_;
   Lists lists_, fresh_, face_lists_, fresh_face_lists_;
   std::optional<DeviceShapes> shapes_;  // where some particles are no spheres
+  std::optional<DevicePlanes> planes_;  // where some are counted
   std::vector<Given> given_;
   Particles alike_;                       // none, with the fields that there are
   std::optional<DeviceBorders> borders_;  // where there are several ranks

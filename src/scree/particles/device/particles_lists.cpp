@@ -102,6 +102,7 @@ void DeviceParticles::sort_particles() {
   program_.run("sc_invert", stay, group, staying, order_, place_);
   permute_state(stay);
   for (auto& [name, column] : columns_) permute(column, row_bytes_.at(name), stay);
+  if (planes_) permute(planes_->passed, planes_->row_bytes(), stay);
   if (gone_count_ > 0) gone_.clear();
   n_ = stay;
   come_ = gone_count_ = 0;

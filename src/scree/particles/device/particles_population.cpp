@@ -25,8 +25,14 @@ void DeviceParticles::reserve(std::size_t rows) {
   }
   for (opencl::DeviceBuffer* places : {&cell_of_, &order_, &place_, &gone_}) grow(*places, sizeof(std::int32_t));
   if (!mixed_) grow(listed_, 4 * sizeof(double));
-  scratch_ = opencl::DeviceBuffer(device_, rows_ * widest);
+  if (planes_) grow(planes_->passed, planes_->row_bytes());
+  make_scratch(widest);
   found_ = opencl::DeviceBuffer(device_, finding_groups() * sizeof(sc_findings));
+}
+
+/// Room for so wide rows of all particles on their way.
+void DeviceParticles::make_scratch(std::size_t row_bytes) {
+  if (scratch_.bytes() < rows_ * row_bytes) scratch_ = opencl::DeviceBuffer(device_, rows_ * row_bytes);
 }
 
 void DeviceParticles::put_rows(const std::vector<std::int32_t>& rows, const Particles& values) {
@@ -72,6 +78,7 @@ void DeviceParticles::reach_as_far_as(const ParticleSystem& system, const Sizes&
 }
 
 void DeviceParticles::put_back(const PartOfDevice& before, const ParticleSystem& system) {
+  take_passings();
   const Particles& after = system.particles;
   std::unordered_map<std::int64_t, std::int32_t> row_of;
   for (std::size_t i = 0; i < before.id.size(); ++i) row_of[before.id[i]] = before.rows[i];

@@ -110,6 +110,7 @@ Luggage DeviceParticles::luggage_of(const Particles& border, const std::vector<s
 /// near their blocks. Rows change when the particles are sorted.
 void DeviceParticles::meet_others() {
   DeviceBorders& b = *borders_;
+  take_passings();
   share_evenly();
   const double reach = skin_ + beyond_, range = 2 * sizes_.effect_radius + reach;
   cover_block(range);
