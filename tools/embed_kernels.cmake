@@ -36,7 +36,7 @@ function(flatten result)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-set(of_spheres state gathered partners faces fields spheres planes sort lists carry check try_law)
+set(of_spheres state gathered partners faces fields spheres prescribed planes sort lists carry check try_law)
 flatten(double ${of_spheres})
 # Headers that both include are in the first.
 flatten(all ${of_spheres} pairs shape_walls shapes)

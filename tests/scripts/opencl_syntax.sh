@@ -54,7 +54,7 @@ solved="-DSC_CHOSEN_FIELDS=1 -DSC_CHOSEN_BODY_FORCE=1 -DSC_CHOSEN_FLOW=0 -DSC_CH
         -DSC_CHOSEN_SAFFMAN=0 -DSC_CHOSEN_MAGNUS=0 -DSC_CHOSEN_CARRIED=0 -DSC_CHOSEN_ADDED_MASS=0"
 kernels=$(mktemp -d)
 trap 'rm -rf "$kernels"' EXIT
-for text in state gathered partners faces fields spheres planes sort lists carry check try_law; do
+for text in state gathered partners faces fields spheres prescribed planes sort lists carry check try_law; do
   echo "#include \"scree/kernels/opencl/$text.cl\"" >> "$kernels/double.cl"
 done
 check "text in mixed precision" cmake -D SOURCE="$source" -D OUTPUT="$kernels/mixed.cl" -P "$source/../tools/embed_kernels.cmake"

@@ -97,14 +97,14 @@ class DeviceSteps {
  public:
   DeviceSteps(const Target& target, const ParticleSystem& system, const Fields& fields, double dt)
       : lists_(prepare_lists(system, 0)),
-        particles_(target.device, target.precision, system, lists_, fields, 1),
+        particles_(target.device, target.precision, system, lists_, fields, {}, 1),
         move_(move_of(fields, dt)),
         time_{dt, 0.5 * dt, dt},
         walls_{system.walls.poses} {}
 
   void run(int steps) {
     for (int k = 0; k < steps; ++k) {
-      particles_.step(move_, time_, walls_, 0);
+      particles_.step({move_, time_, walls_, {}, 0});
       if (particles_.is_full()) contacts_ += particles_.settle().contacts;
     }
     contacts_ += particles_.settle().contacts;

@@ -27,14 +27,6 @@ std::string known_devices(const std::vector<opencl::DeviceInfo>& all) {
                  {"E193", {}, what + " not there yet on devices", "", "run the case without --device: the CPU has it"});
 }
 
-void refuse_particles(const Case& c) {
-  for (std::size_t k = 0; k < c.particles.size(); ++k) {
-    const ParticleKeys& group = c.particles[k];
-    const auto key = [&](const char* name) { return fmt::format("particles.{}.{}", k, name); };
-    if (group.motion == "prescribed") refuse(c, key("motion"), "bodies with a prescribed motion are");
-  }
-}
-
 /// The key of the first group of particles that are no spheres.
 std::string key_of_shape(const Case& c) {
   std::size_t k = 0;
@@ -122,6 +114,9 @@ void refuse_in_mixed(const Case& c, bool several) {
   for (std::size_t k = 0; k < c.particles.size(); ++k)
     if (c.particles[k].insert == "rate")
       lacks(fmt::format("particles.{}.insert", k), "particles that come in while the run goes on are");
+  for (std::size_t k = 0; k < c.particles.size(); ++k)
+    if (c.particles[k].motion == "prescribed")
+      lacks(fmt::format("particles.{}.motion", k), "bodies that move as prescribed are");
   if (!c.outlets.empty()) lacks("outlets.0.type", "outlets are");
   if (c.gravity.type != "none" && c.gravity.type != "uniform")
     lacks("gravity.type", "body forces other than uniform gravity are");
@@ -137,7 +132,6 @@ void refuse_in_mixed(const Case& c, bool several) {
 }
 
 void refuse_on_device(const Case& c, bool several) {
-  refuse_particles(c);
   if (has_shapes(c)) refuse_with_shapes(c);
   if (is_hard(c)) refuse(c, "contact.collision", "hard collisions are");
   if (c.gravity.type == "expression") refuse_formulas(c, "gravity.expression", c.gravity.expression);

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scree/app/vec3.h"
 #include "scree/base/error.h"
+#include "scree/kernels/wrap.h"
+#include "scree/particles/box.h"
 
 namespace scree {
 namespace {
@@ -31,18 +34,6 @@ std::array<double, 3> velocity_of(PrescribedGroup& group, const std::array<doubl
                     "finite number, ({}, {}, {}). Mend the formulas of its particles.motion_velocity",
                     time, group.name, start[0], start[1], start[2], v[0], v[1], v[2]));
   return v;
-}
-
-void wrap(const Domain& domain, double& x, std::int32_t& image, int axis) {
-  if (!domain.periodic[axis]) return;
-  if (x < domain.min[axis]) {
-    x += domain.period(axis);
-    --image;
-  }
-  if (x >= domain.max[axis]) {
-    x -= domain.period(axis);
-    ++image;
-  }
 }
 
 }  // namespace
@@ -80,9 +71,9 @@ void set_accelerations(std::vector<PrescribedGroup>& groups, const Particles& pa
                        Buffer<sc_field>& field) {
   if (lag == 0) return;
   for_each_body(groups, particles, [&](PrescribedGroup& group, std::size_t i, const std::array<double, 3>& start) {
-    const std::array<double, 3> v = velocity_of(group, start, time);
     const double* m = particles.motion.row(i) + lane::vx;
-    field[i].acceleration = sc_make_vec((v[0] - m[0]) / lag, (v[1] - m[1]) / lag, (v[2] - m[2]) / lag);
+    const sc_prescribed p{vec_of(velocity_of(group, start, time)), {}, {}};
+    field[i].acceleration = sc_prescribed_acceleration(p, sc_make_vec(m[0], m[1], m[2]), lag);
   });
 }
 
@@ -93,24 +84,39 @@ void look_ahead(std::vector<PrescribedGroup>& groups, const Particles& particles
   });
 }
 
+std::vector<sc_prescribed> prescribed_step(std::vector<PrescribedGroup>& groups, double now, double dt, double lag,
+                                           bool leapfrog) {
+  std::vector<sc_prescribed> out;
+  for (PrescribedGroup& group : groups)
+    for (const std::array<double, 3>& start : group.start) {
+      const sc_vec middle = vec_of(velocity_of(group, start, now + 0.5 * dt));
+      const sc_vec end = vec_of(velocity_of(group, start, now + dt));
+      const sc_vec here = lag != 0 ? vec_of(velocity_of(group, start, now)) : sc_zero_vec();
+      out.push_back({here, middle, leapfrog ? middle : end});
+    }
+  return out;
+}
+
 double carry(std::vector<PrescribedGroup>& groups, Particles& particles, const Domain& domain, double now, double dt,
              bool leapfrog) {
   double fastest2 = 0;
+  const sc_box box = box_of(domain);
   for_each_body(groups, particles, [&](PrescribedGroup& group, std::size_t i, const std::array<double, 3>& start) {
-    const std::array<double, 3> drift = velocity_of(group, start, now + 0.5 * dt);
-    const std::array<double, 3> velocity = leapfrog ? drift : velocity_of(group, start, now + dt);
+    const sc_vec drift = vec_of(velocity_of(group, start, now + 0.5 * dt));
+    const sc_prescribed p{{}, drift, leapfrog ? drift : vec_of(velocity_of(group, start, now + dt))};
     double* m = particles.motion.row(i);
-    if (particles.shaped()) {
-      double off2 = 0;
-      for (int k = 0; k < 3; ++k) off2 += (drift[k] - m[lane::vx + k]) * (drift[k] - m[lane::vx + k]);
-      particles.angular_momentum.row(i)[lane::path] += 1.000001 * dt * std::sqrt(off2);
-    }
+    const sc_carried to = sc_carry(p, sc_make_vec(m[lane::x], m[lane::y], m[lane::z]),
+                                   sc_make_vec(m[lane::vx], m[lane::vy], m[lane::vz]), dt);
+    if (particles.shaped()) particles.angular_momentum.row(i)[lane::path] += to.way;
+    const double place[3] = {to.position.x, to.position.y, to.position.z}, v[3] = {p.after.x, p.after.y, p.after.z};
     for (int k = 0; k < 3; ++k) {
-      m[k] += dt * (drift[k] - m[lane::vx + k]);
-      m[lane::vx + k] = velocity[k];
-      wrap(domain, m[k], particles.image.row(i)[k], k);
+      std::int32_t& image = particles.image.row(i)[k];
+      const sc_wrapped w = sc_wrap(place[k], box.low[k], box.high[k], box.period[k], image);
+      m[lane::x + k] = w.x;
+      m[lane::vx + k] = v[k];
+      image = w.image;
     }
-    fastest2 = std::max(fastest2, drift[0] * drift[0] + drift[1] * drift[1] + drift[2] * drift[2]);
+    fastest2 = std::max(fastest2, sc_dot(drift, drift));
   });
   return std::sqrt(fastest2);
 }

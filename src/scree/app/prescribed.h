@@ -8,6 +8,7 @@
 #include "scree/data/domain.h"
 #include "scree/data/particles.h"
 #include "scree/input/case.h"
+#include "scree/kernels/prescribed.h"
 #include "scree/particles/fields.h"
 
 namespace scree {
@@ -22,6 +23,11 @@ struct PrescribedGroup {
 
 /// The prescribed groups of a case whose particles are those at the start.
 std::vector<PrescribedGroup> build_prescribed(const Case& c, const Particles& particles);
+
+/// What the formulas say of the step from `now` [s] for all bodies of all groups, in the order of their numbers; `lag`
+/// as in set_accelerations(), `leapfrog` as in carry(). Throws PhysicsError as look_ahead() does.
+std::vector<sc_prescribed> prescribed_step(std::vector<PrescribedGroup>& groups, double now, double dt, double lag,
+                                           bool leapfrog);
 
 /// Gives the bodies of the groups the velocity of their formulas at `time` [s].
 void set_velocities(std::vector<PrescribedGroup>& groups, Particles& particles, double time);

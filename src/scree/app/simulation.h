@@ -200,6 +200,7 @@ class Simulation {
   void move_walls_on_device();
   void settle_device();
   void take_passings();
+  std::vector<sc_prescribed> prescribed_on_device();
   void retrieve();
   bool is_on_device() const;
   void help(Call what);

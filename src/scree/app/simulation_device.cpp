@@ -6,6 +6,19 @@
 #include "scree/coupling/columns.h"
 
 namespace scree {
+namespace {
+
+std::vector<sc_body_group> groups_of(const std::vector<PrescribedGroup>& prescribed) {
+  std::vector<sc_body_group> out;
+  sc_count number = 0;
+  for (const PrescribedGroup& group : prescribed) {
+    out.push_back({group.first, static_cast<sc_count>(group.start.size()), number});
+    number += out.back().count;
+  }
+  return out;
+}
+
+}  // namespace
 
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
@@ -33,7 +46,8 @@ void Simulation::advance_on_device() {
     exchange_particles();
   step_fluid_on_device();
   if (!particles) send_to_device();
-  particles->step(move_now(), contact_time_now(), {system_.walls.poses, way_of_walls()}, clock_.now());
+  particles->step(
+      {move_now(), contact_time_now(), {system_.walls.poses, way_of_walls()}, prescribed_on_device(), clock_.now()});
   clock_.advance();
   if (particles->is_full()) settle_device();
 }
@@ -45,7 +59,7 @@ void Simulation::send_to_device() {
   }
   if (is_on_device()) take_passings();
   device_->particles.emplace(device_->device, device_->precision, system_, lists_, fields_on_device(),
-                             case_.simulation.max_overlap);
+                             groups_of(prescribed_), case_.simulation.max_overlap);
   device_->particles->watch(planes_.planes());
 }
 
@@ -107,6 +121,19 @@ void Simulation::move_walls_on_device() {
     if (is_on_device()) settle_device();
     throw;
   }
+}
+
+/// What moves bodies in the step that is given next. If that fails, the steps before come first.
+std::vector<sc_prescribed> Simulation::prescribed_on_device() {
+  std::vector<sc_prescribed> out;
+  if (prescribed_.empty()) return out;
+  try {
+    together([&] { out = prescribed_step(prescribed_, clock_.now(), clock_.dt, move_now().lag, staggered()); });
+  } catch (...) {
+    settle_device();
+    throw;
+  }
+  return out;
 }
 
 /// Waits for the steps given to the device, and looks whether they went well. One that went wrong is the last.

@@ -52,6 +52,11 @@ typedef struct {
   int unused;  // keeps what follows aligned
 } sc_counts;
 
+/// Bodies whose motion is prescribed: ids that follow each other, and the number of the first among all such bodies.
+typedef struct {
+  sc_count first, count, number;
+} sc_body_group;
+
 /// The constants of a step.
 typedef struct {
   sc_box box;

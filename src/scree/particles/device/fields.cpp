@@ -15,8 +15,8 @@ bool is_watched(const Fields& f) { return act_locally(f) && may_fail(f); }
 
 }  // namespace
 
-DeviceFields::DeviceFields(const opencl::Device& device, const Fields& f, const Particles& particles)
-    : place_(place(f, particles.coupled())), watched_(is_watched(f)), turns_(f.forces.turn()) {
+DeviceFields::DeviceFields(const opencl::Device& device, const Fields& f, const Particles& particles, bool prescribed)
+    : place_(place(f, particles.coupled(), prescribed)), watched_(is_watched(f)), turns_(f.forces.turn()) {
   around_.force = body_force_of(f, 0);
   around_.flow = flow_of(f);
   around_.density = f.density;
@@ -33,16 +33,16 @@ void DeviceFields::make_room(const opencl::Device& device, std::size_t particles
     found_ = opencl::DeviceBuffer(device, particles * sizeof(sc_field));
 }
 
-int DeviceFields::place(const Fields& f, bool coupled) {
+int DeviceFields::place(const Fields& f, bool coupled, bool prescribed) {
   // Forces of a fluid that is solved for come from it, but for the torques.
   const bool much = (f.forces.push() && !coupled) || f.forces.turn();
-  if (much || is_watched(f)) return SC_FIELDS_APART;
+  if (much || is_watched(f) || prescribed) return SC_FIELDS_APART;
   return act_locally(f) ? SC_FIELDS_HERE : SC_FIELDS_NONE;
 }
 
-std::string DeviceFields::options(const Fields& f, bool coupled) {
+std::string DeviceFields::options(const Fields& f, bool coupled, bool prescribed) {
   const sc_fluid_forces& k = f.forces;
-  const int where = place(f, coupled);
+  const int where = place(f, coupled, prescribed);
   std::string text;
   for (const auto& [name, value] : {std::pair<const char*, int>{"FIELDS", where},
                                     {"BODY_FORCE", body_force_number(f)},

@@ -14,10 +14,11 @@ namespace scree {
 /// of the fields are those by which it turns them; all else it has said to each.
 class DeviceFields {
  public:
-  DeviceFields(const opencl::Device& device, const Fields& fields, const Particles& particles);
+  /// `prescribed`: some bodies' motion is; their accelerations stand among what acts.
+  DeviceFields(const opencl::Device& device, const Fields& fields, const Particles& particles, bool prescribed);
 
   /// The choices of the fields, which are constants of the kernels.
-  static std::string options(const Fields& fields, bool coupled);
+  static std::string options(const Fields& fields, bool coupled, bool prescribed);
 
   /// The formulas of the fields, to stand before the text of the kernels.
   static std::string formulas(const Fields& fields);
@@ -26,7 +27,7 @@ class DeviceFields {
   void make_room(const opencl::Device& device, std::size_t particles);
 
   /// SC_FIELDS_...
-  static int place(const Fields& fields, bool coupled);
+  static int place(const Fields& fields, bool coupled, bool prescribed);
 
   /// Whether sc_meet_fields has to run before every step.
   bool apart() const { return place_ == SC_FIELDS_APART; }

@@ -20,7 +20,8 @@ static_assert(SC_SPEED_QUANTUM == speed_quantum);
 
 /// The laws and the fields are constants of the kernels, so that the choice folds away. Names of single precision begin
 /// with SF.
-std::string options_for(const ParticleSystem& s, const Fields& fields, std::size_t group, bool several_ranks) {
+std::string options_for(const ParticleSystem& s, const Fields& fields, bool prescribed, std::size_t group,
+                        bool several_ranks) {
   const sc_laws& laws = s.laws;
   std::string options = fmt::format("-cl-std=CL1.2 -DSC_SEVERAL_RANKS={:d}", several_ranks);
   for (const char* prefix : {"SC", "SF"})
@@ -28,7 +29,7 @@ std::string options_for(const ParticleSystem& s, const Fields& fields, std::size
         " -D{0}_GROUP={1} -D{0}_SHAPED={2:d} -D{0}_CHOSEN_NORMAL={3} -D{0}_CHOSEN_TANGENTIAL={4} "
         "-D{0}_CHOSEN_ROLLING={5} -D{0}_CHOSEN_TWISTING={6} -D{0}_CHOSEN_COHESION={7}",
         prefix, group, s.particles.shaped(), laws.normal, laws.tangential, laws.rolling, laws.twisting, laws.cohesion);
-  return options + DeviceFields::options(fields, s.particles.coupled());
+  return options + DeviceFields::options(fields, s.particles.coupled(), prescribed);
 }
 
 /// Kernels of shapes take a device's compiler longer than all others, so that only who needs them has them.
@@ -41,11 +42,12 @@ std::string text_for(Precision precision, const Fields& fields, bool shaped) {
 }  // namespace
 
 DeviceParticles::DeviceParticles(const opencl::Device& device, Precision precision, const ParticleSystem& s,
-                                 const ContactLists& lists, const Fields& fields, double max_overlap)
+                                 const ContactLists& lists, const Fields& fields,
+                                 const std::vector<sc_body_group>& bodies, double max_overlap)
     : device_(device),
       program_(device, text_for(precision, fields, s.particles.shaped()),
-               options_for(s, fields, group, !lists.ranks.alone())),
-      fields_(device, fields, s.particles),
+               options_for(s, fields, !bodies.empty(), group, !lists.ranks.alone())),
+      fields_(device, fields, s.particles, !bodies.empty()),
       laws_of_run_(s.laws),
       first_law_(s.materials.law[0]),
       rolls_(s.contacts.remembers_rolling),
@@ -69,6 +71,7 @@ DeviceParticles::DeviceParticles(const opencl::Device& device, Precision precisi
   if (!lists.ranks.alone()) join(s, lists);
   send_particles(s.particles);
   send_walls(s);
+  send_bodies(bodies);
   send_contacts(s);
   if (shapes_)
     lists_ = make_room(n_, first_room, Remembers::nothing);
@@ -136,15 +139,15 @@ void DeviceParticles::send_walls(const ParticleSystem& s) {
   wall_poses_ = opencl::DeviceBuffer(device_, most_given * walls_ * sizeof(sc_wall_pose));
 }
 
-void DeviceParticles::step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls, double now) {
+void DeviceParticles::step(DeviceStep step) {
   if (is_full()) throw std::logic_error("a device that is full has to settle first");
-  given_.push_back({move, time, walls, now});
+  given_.push_back(std::move(step));
 }
 
 /// Where walls are in all steps given, for the first of which lists may have to be made.
 void DeviceParticles::send_poses() {
   std::vector<sc_wall_pose> poses;
-  for (const Given& g : given_) poses.insert(poses.end(), g.walls.poses.begin(), g.walls.poses.end());
+  for (const DeviceStep& g : given_) poses.insert(poses.end(), g.walls.poses.begin(), g.walls.poses.end());
   wall_poses_.write(poses.data(), poses.size() * sizeof(sc_wall_pose));
 }
 
@@ -163,7 +166,7 @@ void DeviceParticles::meet_fields(int number, int from) {
 }
 
 /// Step number `number` since the steps were last settled.
-void DeviceParticles::launch(const Given& given, int number) {
+void DeviceParticles::launch(const DeviceStep& given, int number) {
   constants_.move = given.move;
   constants_.time = given.time;
   constants_.around = fields_.around(given.now);
@@ -177,12 +180,14 @@ void DeviceParticles::launch(const Given& given, int number) {
       constants_.box.period[0] + constants_.box.period[1] + constants_.box.period[2] == 0 && sc_dot(g, g) > 0;
   const int from = (now_ + number) % 2, to = 1 - from;
   meet_fields(number, from);
+  if (bodies_) accelerate_bodies(number, from);
   if (shapes_)
     launch_shapes(number, from, to);
   else if (mixed_)
     launch_mixed(number, from, to);
   else
     launch_spheres(number, from, to);
+  if (bodies_) carry_bodies(number, to);
   if (planes_) count_passings(number, from, to);
 }
 
@@ -263,6 +268,7 @@ DeviceFindings DeviceParticles::settle() {
   DeviceFindings out;
   while (!given_.empty()) {
     send_poses();
+    if (bodies_) send_prescribed();
     if (!listed_already_) make_lists();
     if (shapes_) shapes_->looked.clear();
     const Done done = borders_ ? do_in_turn() : do_ahead();
@@ -295,7 +301,7 @@ std::size_t DeviceParticles::bytes() const {
         &cell_of_, &cell_first_, &cursor_, &order_, &place_, &scratch_, &found_})
     sum += b->bytes();
   for (const Lists* l : {&lists_, &fresh_, &face_lists_, &fresh_face_lists_}) sum += l->bytes();
-  return sum + (shapes_ ? shapes_->bytes() : 0) + (planes_ ? planes_->bytes() : 0);
+  return sum + (shapes_ ? shapes_->bytes() : 0) + (planes_ ? planes_->bytes() : 0) + (bodies_ ? bodies_->bytes() : 0);
 }
 
 }  // namespace scree

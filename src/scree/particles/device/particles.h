@@ -13,6 +13,7 @@
 #include "scree/compute/opencl/device.h"
 #include "scree/kernels/counting_plane.h"
 #include "scree/kernels/opencl/parameters.h"
+#include "scree/particles/device/bodies.h"
 #include "scree/particles/device/borders.h"
 #include "scree/particles/device/fields.h"
 #include "scree/particles/device/mixed_state.h"
@@ -41,6 +42,15 @@ struct WallsOfStep {
   double way = 0;
 };
 
+/// A step as it is given to a device.
+struct DeviceStep {
+  sc_move move;
+  sc_contact_time time;
+  WallsOfStep walls;
+  std::vector<sc_prescribed> bodies;  // of all groups whose motion is prescribed
+  double now;                         // when it begins [s]
+};
+
 /// Some particles of a device with the contacts they take part in.
 struct PartOfDevice {
   ParticleSystem system;           // particles in the order of their ids; the lists hold what acts alone
@@ -53,10 +63,12 @@ struct PartOfDevice {
 class DeviceParticles {
  public:
   /// Compiles the kernels for the laws of the system, checks them against the host's numbers and sends the system's
-  /// particles and contacts to the device. `max_overlap` stops the run. Of several ranks each has a device; copies of
-  /// others' particles must be there, and all ranks call all members alike. Throws ResourceError.
+  /// particles and contacts to the device. The motion of `bodies` is prescribed. `max_overlap` stops the run. Of
+  /// several ranks each has a device; copies of others' particles must be there, and all ranks call all members alike.
+  /// Throws ResourceError.
   DeviceParticles(const opencl::Device& device, Precision precision, const ParticleSystem& system,
-                  const ContactLists& lists, const Fields& fields, double max_overlap);
+                  const ContactLists& lists, const Fields& fields, const std::vector<sc_body_group>& bodies,
+                  double max_overlap);
 
   /// Counts who passes these planes from now on.
   void watch(const std::vector<sc_counting_plane>& planes);
@@ -64,8 +76,8 @@ class DeviceParticles {
   /// What has passed each plane on this rank since this was asked last. All steps must be settled.
   std::vector<PlaneCount> take_counts();
 
-  /// Gives a step to the device that begins at the time `now` [s]; it is done later.
-  void step(const sc_move& move, const sc_contact_time& time, const WallsOfStep& walls, double now);
+  /// Gives a step to the device; it is done later.
+  void step(DeviceStep step);
 
   /// True if so many steps are waiting that settle() is due.
   bool is_full() const { return given_.size() >= most_given; }
@@ -137,12 +149,6 @@ class DeviceParticles {
     std::size_t number;
     std::uint32_t code;                 // contact_code()
     std::array<std::uint32_t, 2> rows;  // of the owner and the partner
-  };
-  struct Given {
-    sc_move move;
-    sc_contact_time time;
-    WallsOfStep walls;
-    double now;
   };
   struct Done {
     std::ptrdiff_t steps;
@@ -240,8 +246,13 @@ class DeviceParticles {
   void list_faces();
   void fit_cells();
   void adapt_skin();
-  void launch(const Given& given, int number);
+  void launch(const DeviceStep& given, int number);
   void meet_fields(int number, int from);
+  void send_bodies(const std::vector<sc_body_group>& groups);
+  void find_bodies();
+  void send_prescribed();
+  void accelerate_bodies(int number, int from);
+  void carry_bodies(int number, int to);
   void count_passings(int number, int from, int to);
   void take_passings();
   const opencl::DeviceBuffer& column_or_none(std::string_view name) const;
@@ -287,8 +298,9 @@ class DeviceParticles {
   opencl::DeviceBuffer cell_of_, cell_first_, cursor_, order_, place_, gone_, scratch_, found_, stale_, counters_;
   Lists lists_, fresh_, face_lists_, fresh_face_lists_;
   std::optional<DeviceShapes> shapes_;  // where some particles are no spheres
+  std::optional<DeviceBodies> bodies_;  // where some move as prescribed
   std::optional<DevicePlanes> planes_;  // where some are counted
-  std::vector<Given> given_;
+  std::vector<DeviceStep> given_;
   Particles alike_;                       // none, with the fields that there are
   std::optional<DeviceBorders> borders_;  // where there are several ranks
   std::int64_t steps_listed_ = 0;         // since the lists were made

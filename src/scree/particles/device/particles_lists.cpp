@@ -193,6 +193,7 @@ void DeviceParticles::make_lists() {
   if (borders_) meet_others();
   sort_particles();
   if (borders_) follow_others();
+  if (bodies_) find_bodies();
   if (shapes_) {
     find_partners(lists_);
     list_pairs();
