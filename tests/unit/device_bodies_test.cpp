@@ -61,5 +61,24 @@ TEST(DeviceBodies, StopWithTheCpuWhenAFormulaEnds) {
   expect_the_same_failure(text, "the velocity of the body of 'pin'");
 }
 
+TEST(DeviceBodies, MeetWithTheBitsOfTheCpuThoseToWhomTheyJump) {
+  // It has stood still until then, so that the pass before its jump sees no reason for other lists.
+  std::string text = stirred();
+  const std::string still = "[\"0\", \"-2*sin(200*t)\", \"cos(150*t)\"]";
+  text.replace(text.find(still), still.size(), "[\"0\", \"0\", \"t>0.02 && t<0.02002 ? -375 : 0\"]");
+  expect_the_same(text, 1200, {"simulation.max_overlap=2"});
+}
+
+TEST(DeviceBodies, StopAtTheFirstOfTwoThingsThatGoWrongInStepsGivenAhead) {
+  const Overrides narrow{"simulation.max_overlap=0.04"};
+  const std::int64_t deep = failure_of(case_of(stirred(), narrow), false).step;
+  ASSERT_LT(deep % 32, 30) << "the next steps are not given together with that";
+  std::string text = stirred();
+  const std::string sound = "-2*sin(200*t)";
+  text.replace(text.find(sound), sound.size(),
+               sound + "+0*sqrt(" + std::to_string(2e-5 * static_cast<double>(deep + 1)) + "-t)");
+  expect_the_same_failure(text, "overlap", narrow);
+}
+
 }  // namespace
 }  // namespace scree

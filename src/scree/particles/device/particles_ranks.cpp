@@ -232,7 +232,7 @@ void DeviceParticles::put_memory(const KeyedContacts& contacts,
                static_cast<int>(lists.particles), opencl::sent(device_, rows), opencl::sent(device_, partners),
                opencl::sent(device_, codes), opencl::sent(device_, slides), opencl::sent(device_, rolls),
                columns_.at("id"), lists.counts, lists.entries, lists.slides, lists.rolls, counters_);
-  if (!of_faces && counters_.values<std::int32_t>(1)[0] != 0)
+  if (!of_faces && !bodies_ && counters_.values<std::int32_t>(1)[0] != 0)
     throw std::logic_error("a contact that has come from another rank is on no list of the device");
 }
 
