@@ -48,6 +48,19 @@ series = "5 ms"
 """
 
 
+# Bodies that cross many blocks as formulas say.
+STIRRERS = """
+[[particles]]
+name = "pins"
+material = "glass"
+diameter = "6 mm"
+insert = "positions"
+positions = [[0.025, 0.025, 0.066], [0.01, 0.04, 0.066]]
+motion = "prescribed"
+motion_velocity = ["4*cos(150*t)", "40*x", "-1"]
+"""
+
+
 class OnDevices(Ranks):
     def same_on_devices(self, case, ranks):
         alone = self.run_on(0, case, "alone")
@@ -89,11 +102,13 @@ class OnDevices(Ranks):
             self.assertEqual(ended[1][key], ended[0][key], key)
 
     def test_a_restart_on_another_number_of_devices(self):
-        case = CROWD
+        case = CROWD + STIRRERS
         alone = self.run_on(0, case, "alone")
+        self.assertGreater(abs(alone["ledger"]["work_prescribed"]), 0)
         self.run_on(2, case, "parts", "--device", "opencl", "--until", "0.02")
         gone_on = self.run_on(3, case, "parts", "--device", "opencl", "--restart", "latest")
         self.assertEqual(gone_on["state_hash"], alone["state_hash"])
+        self.assertEqual(gone_on["ledger"], alone["ledger"])
 
     def test_what_goes_wrong_stops_all_in_the_same_step(self):
         case = CROWD.replace("max_overlap = 0.9", "max_overlap = 0.02")
