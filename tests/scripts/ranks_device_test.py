@@ -61,6 +61,46 @@ motion_velocity = ["4*cos(150*t)", "40*x", "-1"]
 """
 
 
+# Cohesive spheres in a vortex without any wall, which come together while they cross the borders.
+VORTEX = """
+[simulation]
+end = 0.012
+time_step = 3e-6
+[domain]
+min = [0, 0, 0]
+max = [0.003, 0.003, 0.003]
+periodic = [true, true, true]
+[flow]
+type = "taylor_green"
+amplitude = 0.14
+wavenumber = 2094.3951023931953
+density = 1.2
+viscosity = 1.8e-5
+drag = "stokes"
+[contact]
+cohesion = "linear"
+[[materials]]
+name = "powder"
+density = 1000
+stiffness = 0.5
+restitution = 0.5
+friction = 0.3
+cohesion_stiffness = 0.02
+[[particles]]
+name = "grains"
+material = "powder"
+diameter = 1e-4
+effect_gap = 1e-5
+insert = "random"
+count = 1200
+velocity = { type = "fluid" }
+[output]
+series = 0.012
+[analysis]
+agglomerates = true
+"""
+
+
 class OnDevices(Ranks):
     def same_on_devices(self, case, ranks):
         alone = self.run_on(0, case, "alone")
@@ -81,6 +121,9 @@ class OnDevices(Ranks):
         self.same_on_devices(SWARM, [4])
         shared = json.loads((self.work / "on4/summary.json").read_text())
         self.assertLess(shared["sharing"]["most_particles"], 1.3 * shared["particles"] / 4)
+
+    def test_a_vortex_without_walls(self):
+        self.same_on_devices(VORTEX, [2])
 
     def test_particles_that_come_and_go(self):
         self.same_on_devices(SPHERES_COME, [2])

@@ -92,6 +92,34 @@ TEST(CouplingReport, NamesSpeedsThatTheLawWasNotMeasuredAt) {
       has(remedies(bed("[8, 16, 8]", "subcycles = 10\ndrag = \"beetstra\"\n", "10")), "has been measured up to"));
 }
 
+TEST(CouplingReport, NamesStepsInWhichTheFlowPassesTooManyCells) {
+  // 0.3 m/s, 0.75 m/s between the particles, past cells of 5 mm.
+  EXPECT_FALSE(has(remedies(bed("[8, 16, 8]", "subcycles = 300\n")), "cells in a step"));
+  EXPECT_TRUE(has(remedies(bed("[8, 16, 8]", "subcycles = 400\n")), "cells in a step"));
+  Case c = bed("[8, 16, 8]", "");
+  EXPECT_FALSE(has(remedies(c), "cells in a step")) << "of steps that the program has chosen";
+  c.fluid.time_step = 0.02;
+  EXPECT_TRUE(has(remedies(c), "a smaller fluid.time_step"));
+  for (const auto& [scheme, safe] : {std::pair{"van_leer", 0.5}, {"central", 1.0}}) {
+    c.fluid.convection = scheme;
+    EXPECT_EQ(long_step(c, safe), "");
+    EXPECT_TRUE(has(long_step(c, 1.01 * safe), "grow without bound"));
+  }
+}
+
+TEST(CouplingReport, SaysWhenAStepOfTheFluidIsShorterThanAskedFor) {
+  Case c = bed("[8, 16, 8]", "");
+  const auto step_of_fluid = [&] {
+    for (const CouplingNote& note : coupling_notes(c, derive(c)))
+      if (note.label == "time step of the fluid") return note.value;
+    return std::string();
+  };
+  c.fluid.time_step = 1e-4;
+  EXPECT_FALSE(has(step_of_fluid(), "asks for"));
+  c.fluid.time_step = 1.05e-4;
+  EXPECT_TRUE(has(step_of_fluid(), "fluid.time_step asks for 0.000105 s"));
+}
+
 /// Roots of the formula of two steps for a wave in a uniform stream leave the unit circle at 13.7 of a cell with
 /// Courant numbers of 0.5 and at 2220 with 0.1.
 TEST(CouplingReport, NamesWavesThatCentralDifferencesLetGrow) {

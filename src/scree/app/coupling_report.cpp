@@ -168,16 +168,20 @@ std::vector<CouplingNote> coupling_notes(const Case& c, const Derived& derived) 
   notes.push_back(
       {"grid of the fluid", grid_text(g),
        few ? "two cells across the domain show hardly anything of the flow there; one or at least three" : ""});
-  notes.push_back({"time step of the fluid", fmt::format("{:.4g} s, {} of the particles'", s.fluid_step(), s.subcycles),
+  const bool shorter = c.fluid.time_step && s.fluid_step() < *c.fluid.time_step * (1 - 1e-6);
+  notes.push_back({"time step of the fluid",
+                   fmt::format("{:.4g} s, {} of the particles'{}", s.fluid_step(), s.subcycles,
+                               shorter ? fmt::format("; fluid.time_step asks for {:.4g} s", *c.fluid.time_step) : ""),
                    slow_in_bed(c, derived, s)});
   const double speed = given_speed(c, region) / expected_voidage(derived);
   if (speed > 0 && wide > 0) {
     const double courant = speed * s.fluid_step() / wide;
     const double reynolds = c.fluid.density * speed * wide / c.fluid.viscosity;
+    const std::string far = long_step(c, speed * s.fluid_step() / least);
     notes.push_back({"",
                      fmt::format("Courant number {:.2g}, Reynolds number of a cell {:.3g}, at {:.3g} m/s", courant,
                                  reynolds, speed),
-                     growing_waves(c, courant, reynolds)});
+                     far.empty() ? growing_waves(c, courant, reynolds) : far});
   }
   double largest = 0;
   for (const BodyKind& kind : derived.kinds) largest = std::max(largest, kind.largest);

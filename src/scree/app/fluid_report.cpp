@@ -113,6 +113,15 @@ std::string growing_waves(const Case& c, double courant, double cell_reynolds) {
       c.fluid.convection, largest, courant);
 }
 
+std::string long_step(const Case& c, double courant) {
+  const bool central = c.fluid.convection == "central" || c.fluid.convection == "symmetric";
+  const double safe = central ? 1 : 0.5;
+  if (courant <= safe * (1 + 1e-9)) return "";
+  return fmt::format(
+      "{:.2g} cells in a step at that speed; above {} convection by '{}' may grow without bound: a smaller {}", courant,
+      safe, c.fluid.convection, c.fluid.time_step ? "fluid.time_step, or \"auto\"" : "fluid.courant");
+}
+
 std::string fluid_report(const Case& c) {
   const FluidRegion r = build_fluid_region(c);
   const Grid& g = r.grid;
@@ -140,7 +149,9 @@ std::string fluid_report(const Case& c) {
   if (speed > 0) {
     const double step = c.fluid.time_step.value_or(c.fluid.courant * least / speed);
     text += line("given speed", fmt::format("{:.4g} m/s", speed), "ok");
-    text += line("time step", fmt::format("about {:.3g} s, {:.3g} steps", step, c.simulation.end / step), "ok");
+    const std::string far = long_step(c, speed * step / least);
+    text += line("time step", fmt::format("about {:.3g} s, {:.3g} steps", step, c.simulation.end / step),
+                 far.empty() ? "ok" : "warning: " + far);
     const double per_length = c.fluid.density * speed / c.fluid.viscosity;
     const std::string wrong = growing_waves(c, speed * step / wide, per_length * wide);
     text += line("Reynolds number",

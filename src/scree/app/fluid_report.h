@@ -20,6 +20,9 @@ FluidCost fluid_cost(const Case& c);
 /// grow least.
 std::string growing_waves(const Case& c, double courant, double cell_reynolds);
 
+/// Why steps are too long in which the flow passes so many of the narrowest cells; empty if they are not.
+std::string long_step(const Case& c, double courant);
+
 /// Grid, numbers of the flow and memory, each with a verdict.
 std::string fluid_report(const Case& c);
 

@@ -273,7 +273,8 @@ std::vector<DeviceParticles::ActingPair> DeviceParticles::pairs_of_some(const st
 DeviceParticles::ContactsOfSome DeviceParticles::contacts_of(const std::vector<std::int32_t>& rows,
                                                              const std::vector<std::int64_t>& id) {
   ContactsOfSome out;
-  const Lists pairs = shapes_ ? Lists{} : taken(lists_, rows), faces = taken(face_lists_, rows);
+  const Lists pairs = shapes_ ? Lists{} : taken(lists_, rows);
+  const Lists faces = faces_ > 0 ? taken(face_lists_, rows) : Lists{};  // without walls they are never made
   const std::vector<ActingPair> of_shapes = shapes_ ? pairs_of_some(rows) : std::vector<ActingPair>();
   for_each_acting(pairs, [&](const Acting& c) { out.partners.push_back(static_cast<std::int32_t>(c.other)); });
   for (const ActingPair& pair : of_shapes)
