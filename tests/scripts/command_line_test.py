@@ -86,6 +86,11 @@ class CommandLine(unittest.TestCase):
     def test_the_long_cases_of_the_verification_book_are_there(self):
         self.assertIn("there are: 01_cavity, ", self.refused("verify", "--long", "nothing"))
 
+    def test_help_is_a_word_too(self):
+        self.assertEqual(self.scree("help").stdout, self.scree("--help").stdout)
+        self.assertEqual(self.scree("help", "run").stdout, self.scree("run", "--help").stdout)
+        self.assertIn("unknown command 'rnu'", self.refused("help", "rnu"))
+
     def test_help_and_version_are_no_errors(self):
         for words in (["--help"], ["run", "--help"], ["--version"]):
             self.assertEqual(self.scree(*words).returncode, 0)

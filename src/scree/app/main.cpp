@@ -1,6 +1,7 @@
 // The command line.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -8,6 +9,7 @@
 #include <new>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "scree/app/command_line.h"
 #include "scree/app/commands.h"
@@ -24,10 +26,12 @@ int run_command(CLI::App& app, const RanksOfRun& processes, int argc, char** arg
   app.require_subcommand(1);
   app.footer("Exit codes: 0 done, 2 input, 3 physics, 4 resources, 5 wall time is up, 130 interrupted.");
   const Commands commands = make_commands(app, processes);
-  if (const std::string problem = unknown_command(app, {argv + 1, argv + argc}); !problem.empty())
-    throw InputError(problem);
+  std::vector<std::string> words = words_of(argc, argv);
+  if (const std::string problem = unknown_command(app, words); !problem.empty()) throw InputError(problem);
   try {
-    app.parse(argc, argv);
+    app.name(argv[0]);
+    std::reverse(words.begin(), words.end());  // as the parser takes them
+    app.parse(words);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     throw InputError(refused_words(app, error));
