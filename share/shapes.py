@@ -29,6 +29,13 @@ def gauge(points, powers):
     return value, slope.T * np.sign(points)
 
 
+def heights_of_ellipsoids(base, way):
+    """The largest h at which base + h way lies on the unit sphere; nan where there is none."""
+    square, half = np.einsum("na,na->n", way, way), np.einsum("na,na->n", base, way)
+    part = half**2 - square * (np.einsum("na,na->n", base, base) - 1)
+    return (np.sqrt(np.where(part >= 0, part, np.nan)) - half) / square
+
+
 class Surface:
     """The surface of a shape over its half axes, from a file shape_N.obj of a run: points and normals in directions of equal
     steps of both angles, of which an eighth is looked at: the others are its mirror images."""
@@ -74,7 +81,8 @@ class Shapes:
         for way in ways:
             on_surface = way * half_axes / self.gauge(np.arange(len(half_axes)), np.tile(way, (len(half_axes), 1)))[0][:, None]
             self.radius = np.maximum(self.radius, 1.03 * np.linalg.norm(on_surface, axis=1))
-        round_ones = (np.ptp(half_axes, axis=1) == 0) & np.all(exponents == 1, axis=1) & (self.surface < 0)
+        self.ellipsoid = np.all(exponents == 1, axis=1) & (self.surface < 0)
+        round_ones = (np.ptp(half_axes, axis=1) == 0) & self.ellipsoid
         self.radius[round_ones] = half_axes[round_ones, 0]
 
     def gauge(self, which, points):
@@ -92,10 +100,13 @@ class Shapes:
 
     def heights(self, which, x, y, view):
         """How far towards the viewer the lines of sight at x and y (over the radius, to the right and up from the centre)
-        meet the surface first, over the radius; nan where they miss it. Newton's method for a convex function, from outside."""
+        meet the surface first, over the radius; nan where they miss it. Of ellipsoids by a square root, else by Newton's method
+        for a convex function, from outside."""
         axes = self.scaled_axes(which, view)
         base = x[:, None] * axes[:, 0] + y[:, None] * axes[:, 1]
-        height, going = np.full(len(which), 1.0), np.arange(len(which))
+        height, easy = np.full(len(which), 1.0), self.ellipsoid[which]
+        height[easy] = heights_of_ellipsoids(base[easy], axes[easy, 2])
+        going = np.nonzero(~easy)[0]
         for _ in range(LOOKS):
             value, gradient = self.gauge(which[going], base[going] + height[going, None] * axes[going, 2])
             slope = np.sum(gradient * axes[going, 2], axis=1)

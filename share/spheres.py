@@ -46,17 +46,20 @@ def nearest_spheres(flat, depth, radius, pixel_radius, width, height, budget=2_0
     """For each pixel the sphere, or the body of `shapes` in it, that is seen (-1: none) and the depth of its surface.
     `view`: the axes of the picture, for shapes.
 
-    Spheres go through in portions of similar size; within one, pixels that lose against a nearer sphere of the same
-    portion are drawn again until the nearest is left.
+    They go through in portions: spheres of similar size; shapes, whose surfaces are dear, from the nearest on, and only where
+    nothing is seen yet in front of the sphere around them. Within a portion, pixels that lose against a nearer one of it are
+    drawn again until the nearest is left.
     """
     buffer = np.full(width * height, NOTHING, dtype=np.float32)
     owner = np.full(width * height, -1, dtype=np.int32)
-    by_size = np.argsort(-pixel_radius)
+    order = np.argsort(-pixel_radius) if shapes is None else np.argsort(depth - radius)
+    sides = (2 * pixel_radius[order]).astype(int) + 3
     first = 0
-    while first < len(by_size):
-        side = int(2 * pixel_radius[by_size[first]]) + 3
-        some = by_size[first : first + max(1, budget // side**2)]
-        first += len(some)
+    while first < len(order):
+        squares = np.maximum.accumulate(sides[first:]) ** 2 * np.arange(1, len(order) - first + 1)
+        count = max(1, np.searchsorted(squares, budget if shapes is None else budget // 10, side="right"))
+        some, side = order[first : first + count], sides[first : first + count].max()
+        first += count
         some = some[np.argsort(-depth[some])]
         corner = np.floor(flat[some] - pixel_radius[some, None]).astype(int)
         steps = np.arange(side)
@@ -68,9 +71,10 @@ def nearest_spheres(flat, depth, radius, pixel_radius, width, height, budget=2_0
         outside = y[:, :, None] ** 2 + x[:, None, :] ** 2
         which, j, i = np.nonzero(outside < 1)
         place = row[which, j] * width + column[which, i]
-        if shapes is None:
-            rise = np.sqrt(1 - outside[which, j, i])
-        else:
+        rise = np.sqrt(1 - outside[which, j, i])
+        if shapes is not None:
+            open_ = depth[some[which]] - radius[some[which]] * rise < buffer[place]
+            which, j, i, place = which[open_], j[open_], i[open_], place[open_]
             rise = shapes.heights(some[which], x[which, i].astype(float), y[which, j].astype(float), view)
             hit = ~np.isnan(rise)
             which, place, rise = which[hit], place[hit], rise[hit]
