@@ -140,6 +140,10 @@ class Devices(unittest.TestCase):
     def test_nor_do_those_of_shapes(self):
         self.assertGreater(self.expect_the_same("bodies.toml", 10)["wall_contacts"], 0)
 
+    def test_nor_does_what_a_flow_does_to_shapes(self):
+        (self.work / "flow.toml").write_text(BODIES + FLOW.replace("schiller_naumann", "holzer_sommerfeld"))
+        self.expect_the_same("flow.toml", 10)
+
     def test_info_lists_devices_and_what_was_tried(self):
         self.assertIn("device opencl:0    Oclgrind", self.scree("info").stdout)
         none = self.scree("info", OCL_ICD_VENDORS=str(self.work)).stdout
