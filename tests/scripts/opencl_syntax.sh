@@ -43,7 +43,7 @@ for component in X Y Z; do
   formulas="$formulas -DSC_FORMULA_ACCELERATION_$component=sc_formula_sin(x+y)*z*t"
   formulas="$formulas -DSC_FORMULA_VELOCITY_$component=sc_formula_power(x,y)*z*t"
 done
-# All that a prescribed flow does, by formulas, found by a kernel of its own; and a fluid that is solved for.
+# All that a prescribed flow does, by formulas, found by a kernel of its own; a fluid that is solved for; one that turns bodies.
 everything="-DSC_CHOSEN_FIELDS=2 -DSC_CHOSEN_BODY_FORCE=3 -DSC_CHOSEN_FLOW=4 -DSC_CHOSEN_DRAG=100 -DSC_CHOSEN_BUOYANCY=1
             -DSC_CHOSEN_WATCHED=1 -DSC_CHOSEN_COUPLED=0 -DSC_CHOSEN_PUSHES=1 -DSC_CHOSEN_TURNS=1 -DSC_CHOSEN_FORCE_DRAG=0
             -DSC_CHOSEN_BODY_DRAG=13 -DSC_CHOSEN_LIFT=1 -DSC_CHOSEN_PITCHING=1 -DSC_CHOSEN_VISCOUS_TURN=1
@@ -52,6 +52,7 @@ solved="-DSC_CHOSEN_FIELDS=1 -DSC_CHOSEN_BODY_FORCE=1 -DSC_CHOSEN_FLOW=0 -DSC_CH
         -DSC_CHOSEN_WATCHED=0 -DSC_CHOSEN_COUPLED=1 -DSC_CHOSEN_PUSHES=0 -DSC_CHOSEN_TURNS=0 -DSC_CHOSEN_FORCE_DRAG=5
         -DSC_CHOSEN_BODY_DRAG=0 -DSC_CHOSEN_LIFT=0 -DSC_CHOSEN_PITCHING=0 -DSC_CHOSEN_VISCOUS_TURN=0
         -DSC_CHOSEN_SAFFMAN=0 -DSC_CHOSEN_MAGNUS=0 -DSC_CHOSEN_CARRIED=0 -DSC_CHOSEN_ADDED_MASS=0"
+turned=$(echo "$solved" | sed 's/FIELDS=1/FIELDS=2/; s/TURNS=0/TURNS=1/; s/BODY_DRAG=0/BODY_DRAG=13/; s/PITCHING=0/PITCHING=1/; s/VISCOUS_TURN=0/VISCOUS_TURN=1/')
 kernels=$(mktemp -d)
 trap 'rm -rf "$kernels"' EXIT
 for text in state gathered partners faces fields spheres prescribed planes sort lists carry check try_law; do
@@ -60,10 +61,12 @@ done
 check "text in mixed precision" cmake -D SOURCE="$source" -D OUTPUT="$kernels/mixed.cl" -P "$source/../tools/embed_kernels.cmake"
 check "text of shapes" cmake -D SOURCE="$source" -D OUTPUT="$kernels/all.shapes.cl" -P "$source/../tools/embed_kernels.cmake"
 for target in spir64 nvptx64; do
-  for fields in "$everything" "$solved"; do
+  for fields in "$everything" "$solved" "$turned"; do
     check "kernels for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=1 $laws $fields $formulas -I"$source" "$kernels/double.cl"
   done
-  check "kernels of shapes for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=0 $laws -USC_SHAPED -DSC_SHAPED=1 $solved $formulas "$kernels/all.shapes.cl"
+  for fields in "$everything" "$solved" "$turned"; do
+    check "kernels of shapes for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=0 $laws -USC_SHAPED -DSC_SHAPED=1 $fields $formulas "$kernels/all.shapes.cl"
+  done
   check "kernels in mixed precision for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=0 $laws $solved $formulas "$kernels/mixed.cl"
 done
 for text in fixed_point gathered partners carry try_law; do

@@ -1,17 +1,17 @@
-// Spheres on an OpenCL device in a fluid that is solved for on the CPU: the same bits as with both on the CPU.
+// Particles on an OpenCL device in a fluid that is solved for on the CPU: the same bits as with both on the CPU.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/coupled_cloud.h"
-#include "support/device_cases.h"
-#include "support/hopper.h"
+#include "support/device_shape_cases.h"
 
 namespace scree {
 namespace {
 
-/// A cloud with fixed spheres in it, of which some touch, that falls on a floor: dense, and some of it bounces.
-std::string cloud_over_floor(const std::string& coupling, int subcycles = 5) {
-  Cloud c;
+const char* const held_sphere = "diameter = 0.001";
+
+/// A cloud with a particle in it that is held at the lid, that falls on a floor: dense, and some of it bounces.
+std::string over_floor(Cloud c, const std::string& held, const std::string& coupling, int subcycles) {
   c.density = 500;
   c.stiffness = 60;
   c.viscosity = 1e-2;
@@ -30,9 +30,10 @@ acceleration = [0.5, 0, -9.81]
 name = "held"
 material = "grain"
 insert = "positions"
-diameter = 0.001
 positions = [[0.01, 0.01, 0.0195]]
 motion = "fixed"
+)" + held +
+         R"(
 [[walls]]
 name = "floor"
 type = "plane"
@@ -45,6 +46,32 @@ type = "plane"
 material = "grain"
 point = [0, 0, 0.0199]
 normal = [0, 0, -1]
+)";
+}
+
+std::string cloud_over_floor(const std::string& coupling, int subcycles = 5) {
+  return over_floor({}, held_sphere, coupling, subcycles);
+}
+
+/// The same of rods with flat ends, with spheres among them and an ellipsoid that is held.
+std::string rods_over_floor(const std::string& coupling, int subcycles = 5) {
+  Cloud c;
+  c.shape = R"(count = 60
+shape = "superellipsoid"
+half_axes = [0.0006, 0.0006, 0.0024]
+exponents = [0.5, 1]
+orientation = "random")";
+  return over_floor(c, "shape = \"ellipsoid\"\nhalf_axes = [0.0006, 0.001, 0.0008]\norientation = \"random\"", coupling,
+                    subcycles) +
+         R"([[particles]]
+name = "balls"
+material = "grain"
+insert = "random"
+count = 60
+diameter = 0.002
+velocity = { type = "random", value = [0, 0, -1], deviation = 0.3 }
+region_min = [0, 0, 0.001]
+region_max = [0.02, 0.02, 0.019]
 )";
 }
 
@@ -63,6 +90,7 @@ Said said_by(Simulation& s) {
     for (const auto* column : {&p.stream, &p.pull, &p.drag_impulse, &p.expected, &p.before, &p.met_at})
       for (int k = 0; k < 4; ++k) out.columns.push_back(column->row(i)[k] + 0.0);
     for (int k = 0; k < 10 && p.turned(); ++k) out.columns.push_back(p.gradient.row(i)[k] + 0.0);
+    for (int k = 0; k < 4 && p.shaped(); ++k) out.columns.push_back(p.met_turned.row(i)[k] + 0.0);
   }
   const CouplingBooks& books = s.coupling()->books;
   out.columns.insert(out.columns.end(), {books.error[0], books.error[1], books.error[2], books.turned});
@@ -102,10 +130,24 @@ TEST(FluidOnDevice, SpheresHaveTheBitsOfTheCpuWithAllForces) {
       202);
 }
 
-TEST(FluidOnDevice, SpheresHaveTheBitsOfTheCpuWhereTheyComeAndGo) {
-  const Case c = case_of(test::hopper +
+TEST(FluidOnDevice, BodiesHaveTheBitsOfTheCpu) {
+  expect_the_same(rods_over_floor("drag = \"gidaspow_blend\""), 243);
+  // More of theirs than are given to the device at once.
+  expect_the_same(rods_over_floor("drag = \"holzer_sommerfeld\"", 40), 200);
+}
+
+TEST(FluidOnDevice, BodiesHaveTheBitsOfTheCpuWithAllForces) {
+  expect_the_same(rods_over_floor("drag = \"ganser\"\nsaffman = true\nmagnus = true\nadded_mass = true\n"
+                                  "viscous_stress = true"),
+                  202);
+}
+
+/// Runs a case in which particles come and go on both.
+void expect_the_same_passage(const std::string& hopper, const std::string& drag) {
+  const Case c = case_of(hopper +
                          "[fluid]\ntype = \"incompressible\"\ndensity = 1.2\nviscosity = 1.8e-5\ncells = [5, 5, 6]\n"
-                         "[coupling]\ndrag = \"gidaspow_blend\"\nsubcycles = 7\n");
+                         "[coupling]\nsubcycles = 7\ndrag = \"" +
+                         drag + "\"\n");
   Simulation cpu(c, 1), device(c, 1);
   device.use_device(test::first_device());
   test::advance(cpu, 700);
@@ -115,8 +157,17 @@ TEST(FluidOnDevice, SpheresHaveTheBitsOfTheCpuWhereTheyComeAndGo) {
   EXPECT_EQ(said_by(device), said_by(cpu));
 }
 
-TEST(FluidOnDevice, GoesOnFromTheCpuAndBack) {
-  const Case c = case_of(cloud_over_floor("drag = \"gidaspow_blend\"\nviscous_torque = \"on\""));
+TEST(FluidOnDevice, SpheresHaveTheBitsOfTheCpuWhereTheyComeAndGo) {
+  expect_the_same_passage(test::hopper, "gidaspow_blend");
+}
+
+TEST(FluidOnDevice, BodiesHaveTheBitsOfTheCpuWhereTheyComeAndGo) {
+  expect_the_same_passage(test::hopper_of_shapes(), "holzer_sommerfeld");
+}
+
+/// Steps on the CPU, then on the device, then on the CPU again, by way of checkpoints.
+void expect_the_same_in_turns(const std::string& text) {
+  const Case c = case_of(text);
   const Said truth = said_after(c, false, 120);
   Simulation first(c, 1);
   test::advance(first, 41);
@@ -130,6 +181,11 @@ TEST(FluidOnDevice, GoesOnFromTheCpuAndBack) {
   third.restore(carried);
   test::advance(third, 37);
   EXPECT_EQ(said_by(third), truth);
+}
+
+TEST(FluidOnDevice, GoesOnFromTheCpuAndBack) {
+  expect_the_same_in_turns(cloud_over_floor("drag = \"gidaspow_blend\"\nviscous_torque = \"on\""));
+  expect_the_same_in_turns(rods_over_floor("drag = \"holzer_sommerfeld\""));
 }
 
 TEST(FluidOnDevice, RowsOfTheSeriesAreThoseOfTheCpu) {

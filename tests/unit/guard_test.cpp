@@ -146,6 +146,28 @@ TEST(Guard, NamesAParticleWhoseMotionIsNoNumber) {
   EXPECT_EQ(g.step, 0);
 }
 
+TEST(Guard, NamesTheFlowWhereItIsNoNumberAndNoSignOfIt) {
+  const Simulation s(case_of(two_text("[0.02, 0.05, 0.05]", "[0, 0, 0]")), 1);
+  const Particles& particles = s.system().particles;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const auto said = [&](const sc_vec& acceleration, const sc_vec& stream) {
+    Buffer<sc_field> field(particles.size());
+    for (sc_field& f : field) f = sc_no_field();
+    field[0].acceleration = acceleration;
+    field[0].fluid = stream;
+    try {
+      guard_fields(particles, field, 1);
+    } catch (const PhysicsError& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing");
+  };
+  EXPECT_EQ(said(sc_zero_vec(), sc_zero_vec()), "nothing");
+  expect_words(said(sc_make_vec(-none, none, -1), sc_zero_vec()), {"body force (gravity)", "(nan, nan, -1)"});
+  // The force of a flow that is no number is none either.
+  expect_words(said(sc_make_vec(-none, none, -1), sc_make_vec(2, -none, none)), {"flow (flow)", "(2, nan, nan)"});
+}
+
 TEST(Guard, LetsSoundStatesPass) {
   Simulation s(case_of(two_text("[0.02, 0.05, 0.05]", "[0, 0, 0]")), 1);
   s.step();

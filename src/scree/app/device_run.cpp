@@ -47,19 +47,6 @@ void refuse_on_several(const Case& c) {
   if (has_shapes(c)) lacks(key_of_shape(c), "particles that are no spheres are");
 }
 
-/// What spheres have on devices and bodies of other shapes do not.
-void refuse_with_shapes(const Case& c) {
-  if (by_vertices(c)) refuse(c, "contact.detection", "contacts of shapes by vertices are");
-  if (couples(c)) refuse(c, "fluid.type", "bodies that are no spheres in flows that are solved for are");
-  const Fields fields = build_fields(c);
-  if (!act_locally(fields)) return;
-  if (fields.forces.push() || fields.forces.turn())
-    refuse(c, "flow.type", "forces of a flow on bodies that are no spheres, besides the drag of spheres, are");
-  if (may_fail(fields))
-    refuse(c, c.gravity.type == "uniform" || c.gravity.type == "none" ? "flow.type" : "gravity.type",
-           "formulas and central forces for bodies that are no spheres are");
-}
-
 /// Refuses a formula with a function that kernels do not have.
 void refuse_formulas(const Case& c, const std::string& key, const Expression3& formulas) {
   for (const std::string& formula : formulas) {
@@ -132,7 +119,7 @@ void refuse_in_mixed(const Case& c, bool several) {
 }
 
 void refuse_on_device(const Case& c, bool several) {
-  if (has_shapes(c)) refuse_with_shapes(c);
+  if (has_shapes(c) && by_vertices(c)) refuse(c, "contact.detection", "contacts of shapes by vertices are");
   if (is_hard(c)) refuse(c, "contact.collision", "hard collisions are");
   if (c.gravity.type == "expression") refuse_formulas(c, "gravity.expression", c.gravity.expression);
   if (c.flow.type == "expression") refuse_formulas(c, "flow.expression", c.flow.expression);

@@ -25,6 +25,9 @@ bool is_finite(const Particles& p, std::size_t i) {
   return std::all_of(m, m + 8, [](double x) { return std::abs(x) < 1e150; });
 }
 
+/// What is no number has no sign that means anything.
+double shown(double x) { return std::isnan(x) ? std::abs(x) : x; }
+
 /// The axis along which a particle is outside the domain; -1 without one.
 int axis_left(const ParticleSystem& s, std::size_t i) {
   for (int k = 0; k < 3; ++k) {
@@ -197,13 +200,14 @@ void guard_fields(const Particles& particles, const Buffer<sc_field>& field, dou
   const auto i = lowest(particles, [&](std::size_t k) { return !sc_is_finite_field(field[k]); });
   if (!i) return;
   const sc_vec &a = field[*i].acceleration, &u = field[*i].fluid;
-  const bool acts = std::isfinite(a.x + a.y + a.z);
-  const sc_vec& bad = acts ? u : a;
+  // The flow first: where it is no number, its forces are none.
+  const bool flows = std::isfinite(u.x + u.y + u.z);
+  const sc_vec& bad = flows ? a : u;
   throw PhysicsError(
       fmt::format("t = {:.9g} s: the {} is no finite number, ({}, {}, {}), at {}. Mend the formulas, or keep "
                   "particles away from there",
-                  time, acts ? "velocity of the flow (flow)" : "body force (gravity)", bad.x, bad.y, bad.z,
-                  place_of(particles, *i)));
+                  time, flows ? "body force (gravity)" : "velocity of the flow (flow)", shown(bad.x), shown(bad.y),
+                  shown(bad.z), place_of(particles, *i)));
 }
 
 bool is_sound(const SweepFindings& findings, double max_overlap) {

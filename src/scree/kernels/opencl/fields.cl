@@ -2,6 +2,7 @@
 // flow. Where that is much, or may be no number, a kernel of its own finds it before each step (SC_FIELDS_APART).
 #include "scree/kernels/fields.h"
 #include "scree/kernels/formulas.h"
+#include "scree/physics/rotation.h"
 
 #define SC_CHOSEN_FORCES                                                                                        \
   {                                                                                                             \
@@ -121,66 +122,95 @@ SC_FN sc_fluid_there sc_turning_flow(sc_device_step p, sc_vec x, real radius, sc
   return out;
 }
 
-/// Sphere i, for what a fluid does to it.
+/// All particles as a fluid sees them; what goes with shapes is there where some are no spheres (SC_SHAPED).
+typedef struct {
+  __global const real4 *motion, *spins, *orientations, *inertias;
+  __global const int* form;
+  sc_forms_in_flow forms;
+} sc_all_in_fluid;
+
+/// One of them, for what a fluid does to it.
 typedef struct {
   sc_centre centre;
   sc_immersed body;
-} sc_immersed_sphere;
+  sc_vec inverse_moments;
+  real reach;  // of its surface from the centre at most [m]
+} sc_one_in_fluid;
 
-SC_FN sc_immersed_sphere sc_sphere_in_fluid(real4 place, real4 speed, real4 rim, sc_forms_in_flow forms) {
-  sc_immersed_sphere s;
+SC_FN sc_one_in_fluid sc_in_fluid(sc_all_in_fluid all, size_t i) {
+  const real4 place = all.motion[2 * i], speed = all.motion[2 * i + 1], rim = all.spins[i];
+  sc_one_in_fluid s;
+  s.reach = place.w;
   s.centre.position = sc_first(place);
   s.centre.velocity = sc_first(speed);
   s.centre.radius = place.w;
   s.centre.inverse_mass = speed.w;
-  s.body = sc_immerse(s.centre, sc_unit_mat(), sc_scale(rim.w, sc_first(rim)), forms, 0);
+  sc_mat axes = sc_unit_mat();
+  int form = 0;
+  if (SC_SHAPED) {
+    const real4 q = all.orientations[i], inertia = all.inertias[i];
+    axes = sc_quat_mat(sc_make_quat(q.x, q.y, q.z, q.w));
+    form = all.form[i];
+    s.centre.radius = inertia.w;
+    s.inverse_moments = sc_first(inertia);
+  } else {
+    const real moment = sc_inverse_moment_of_sphere(speed.w, place.w);
+    s.inverse_moments = sc_make_vec(moment, moment, moment);
+  }
+  s.body = sc_immerse(s.centre, axes, sc_scale(rim.w, sc_first(rim)), all.forms, form);
   return s;
 }
 
-/// What acts on each sphere in step number `step`, into `fields`. Where a field is no number that is noted in `lost`.
+/// What acts on each particle in step number `step`, into `fields`. Where a field is no number that is noted in `lost`.
 __kernel void sc_meet_fields(const sc_device_step p, const int step, __global const int* stale, __global int* lost,
-                             __global const real4* motion, __global const real4* spins, __global const real4* streams,
-                             __global const real4* pulls, __global const real4* befores,
-                             __global const sc_flow_shape* shapes, __global const real* tables, __global sc_field* fields) {
+                             __global const real4* motion, __global const real4* spins,
+                             __global const real4* orientations, __global const real4* inertias,
+                             __global const int* form, __global const real4* streams, __global const real4* pulls,
+                             __global const real4* befores, __global const sc_flow_shape* shapes,
+                             __global const real* tables, __global sc_field* fields) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)p.counts.particles || stale[step] != 0) return;
   const sc_fluid_forces forces = SC_CHOSEN_FORCES;
   const sc_said said = {streams, pulls, befores};
-  const sc_forms_in_flow forms = {shapes, tables};
-  const sc_immersed_sphere s = sc_sphere_in_fluid(motion[2 * i], motion[2 * i + 1], spins[i], forms);
+  const sc_all_in_fluid all = {motion, spins, orientations, inertias, form, {shapes, tables}};
+  const sc_one_in_fluid s = sc_in_fluid(all, i);
   const sc_centre c = s.centre;
   sc_field field = sc_field_at(p, c, said, i);
   if (SC_CHOSEN_PUSHES && c.inverse_mass > R(0)) {
-    field = sc_add_flow_forces(field, forces, s.body, c.inverse_mass, sc_flow_there(p, c.position, c.radius));
+    field = sc_add_flow_forces(field, forces, s.body, c.inverse_mass, sc_flow_there(p, c.position, s.reach));
   }
   fields[i] = field;
   if (SC_CHOSEN_WATCHED && !sc_is_finite_field(field)) lost[step] = 1;
 }
 
-/// Torques of the fluid turn the spheres, after the fields have been met at the rotation of before, and in no step that is not
-/// done.
-__kernel void sc_turn_spheres(const sc_device_step p, const int step, __global const int* stale, __global const int* lost,
-                              __global const real4* motion, __global real4* spins, __global const real4* streams,
-                              __global const real4* pulls, __global const real4* befores, __global const real* gradients,
-                              __global const sc_flow_shape* shapes, __global const real* tables, __global real4* works,
-                              __global real4* angulars) {
+/// A step in which a field is no number is not done: nobody is turned or moved, and no contact remembers it.
+__kernel void sc_halt_where_lost(const int step, __global const int* lost, __global int* stale) {
+  if (get_global_id(0) == 0 && lost[step] != 0) stale[step] = 1;
+}
+
+/// Torques of the fluid turn the particles, after the fields have been met at the rotation of before; `momenta` where there
+/// are shapes.
+__kernel void sc_turn_particles(const sc_device_step p, const int step, __global const int* stale,
+                                __global const real4* motion, __global real4* spins,
+                                __global const real4* orientations, __global const real4* inertias,
+                                __global const int* form, __global const real4* streams, __global const real4* pulls,
+                                __global const real4* befores, __global const real* gradients,
+                                __global const sc_flow_shape* shapes, __global const real* tables,
+                                __global real4* momenta, __global real4* works, __global real4* angulars) {
   const size_t i = get_global_id(0);
-  const int no_number = SC_CHOSEN_WATCHED ? lost[step] : 0;
-  if (i >= (size_t)p.counts.particles || (stale[step] | no_number) != 0) return;
+  if (i >= (size_t)p.counts.particles || stale[step] != 0) return;
   const sc_fluid_forces forces = SC_CHOSEN_FORCES;
   const sc_said said = {streams, pulls, befores};
-  const sc_forms_in_flow forms = {shapes, tables};
-  const real4 rim = spins[i];
-  const sc_immersed_sphere s = sc_sphere_in_fluid(motion[2 * i], motion[2 * i + 1], rim, forms);
-  const sc_centre c = s.centre;
-  if (!(c.inverse_mass > R(0))) return;
-  const sc_fluid_there there = sc_turning_flow(p, c.position, c.radius, said, gradients, i);
+  const sc_all_in_fluid all = {motion, spins, orientations, inertias, form, {shapes, tables}};
+  const sc_one_in_fluid s = sc_in_fluid(all, i);
+  if (!(s.centre.inverse_mass > R(0))) return;
+  const sc_fluid_there there = sc_turning_flow(p, s.centre.position, s.reach, said, gradients, i);
   if (there.voidage == R(0)) return;  // it has not met the fluid yet
-  const real moment = sc_inverse_moment_of_sphere(c.inverse_mass, c.radius);
-  const sc_turned_in_fluid turned =
-      sc_turn_in_fluid(forces, s.body, sc_make_vec(moment, moment, moment), there, p.move.kick);
-  const sc_vec now = sc_scale(c.radius, turned.spin);
-  spins[i] = (real4)(now.x, now.y, now.z, rim.w);
+  const sc_turned_in_fluid turned = sc_turn_in_fluid(forces, s.body, s.inverse_moments, there, p.move.kick);
+  const sc_vec rim = sc_scale(s.reach, turned.spin);
+  const real4 given = (real4)(turned.given.x, turned.given.y, turned.given.z, R(0));
+  spins[i] = (real4)(rim.x, rim.y, rim.z, spins[i].w);
+  if (SC_SHAPED) momenta[i] += given;
   works[i].x += turned.work;
-  angulars[i] += (real4)(turned.given.x, turned.given.y, turned.given.z, R(0));
+  angulars[i] += given;
 }

@@ -3,12 +3,11 @@
 
 /// Counts those who have passed planes in step number `step`, which has taken them from one state to the other: along the
 /// normal and against it, in `passed` [particle][plane].
-__kernel void sc_count_passings(const sc_device_step p, const int step, __global const int* stale, __global const int* lost,
+__kernel void sc_count_passings(const sc_device_step p, const int step, __global const int* stale,
                                 __global const real4* from, __global const real4* to, __global const int* ghost,
                                 const int count, __global const sc_counting_plane* planes, __global int2* passed) {
   const size_t i = get_global_id(0);
-  const int no_number = SC_CHOSEN_WATCHED ? lost[step] : 0;
-  if (i >= (size_t)p.counts.particles || (stale[step] | no_number) != 0) return;
+  if (i >= (size_t)p.counts.particles || stale[step] != 0) return;
   const real4 speed = to[2 * i + 1];
   if (sc_is_ghost(ghost, i) || !(speed.w > R(0))) return;
   const sc_vec before = sc_first(from[2 * i]), after = sc_first(to[2 * i]);

@@ -13,32 +13,30 @@ __kernel void sc_find_bodies(const int n, __global const long* id, __global cons
 }
 
 /// What prescribes the motion of body `b` of `bodies` in a step, and its row; -1 if it is not here or the step is not done.
-SC_FN int sc_row_of_body(size_t b, int bodies, int step, __global const int* stale, __global const int* lost,
-                         __global const int* rows) {
-  const int no_number = SC_CHOSEN_WATCHED ? lost[step] : 0;
-  if (b >= (size_t)bodies || (stale[step] | no_number) != 0) return -1;
+SC_FN int sc_row_of_body(size_t b, int bodies, int step, __global const int* stale, __global const int* rows) {
+  if (b >= (size_t)bodies || stale[step] != 0) return -1;
   return rows[b] - 1;
 }
 
 /// Puts into the fields of bodies the acceleration by which their velocities become those of the positions.
 __kernel void sc_accelerate_bodies(const sc_device_step p, const int step, __global const int* stale,
-                                   __global const int* lost, const int bodies, __global const int* rows,
+                                   const int bodies, __global const int* rows,
                                    __global const sc_prescribed* prescribed, __global const real4* motion,
                                    __global sc_field* fields) {
   const size_t b = get_global_id(0);
-  const int i = sc_row_of_body(b, bodies, step, stale, lost, rows);
+  const int i = sc_row_of_body(b, bodies, step, stale, rows);
   if (i < 0) return;
   fields[i].acceleration =
       sc_prescribed_acceleration(prescribed[(size_t)step * bodies + b], sc_first(motion[2 * i + 1]), p.move.lag);
 }
 
 /// Puts bodies where their formulas take them, after the pass has moved them with their old velocities.
-__kernel void sc_carry_bodies(const sc_device_step p, const int step, __global int* stale, __global const int* lost,
-                              const int bodies, __global const int* rows, __global const sc_prescribed* prescribed,
+__kernel void sc_carry_bodies(const sc_device_step p, const int step, __global int* stale, const int bodies,
+                              __global const int* rows, __global const sc_prescribed* prescribed,
                               __global const real4* listed, __global real4* motion, __global int4* images,
                               __global real4* momenta) {
   const size_t b = get_global_id(0);
-  const int i = sc_row_of_body(b, bodies, step, stale, lost, rows);
+  const int i = sc_row_of_body(b, bodies, step, stale, rows);
   if (i < 0) return;
   const real4 place = motion[2 * i], speed = motion[2 * i + 1];
   const int4 image = images[i];

@@ -269,8 +269,9 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_move_bodi
     __global real4* motion_out, __global real4* spin_out, __global real4* orientations, __global real4* momenta,
     __global const real4* inertias, __global const real* excess, __global const int* material, __global const real4* listed,
     __global const int* counts, __global const uint* gather, __global const uchar* full, __global const real4* loads,
-    __global const real4* wall_loads, __global int4* images, __global real4* losses, __global real4* works,
-    __global real4* impulses, __global real4* angulars, __global sc_findings* findings) {
+    __global const real4* wall_loads, __global int4* images, __global const sc_field* fields, __global const real4* streams,
+    __global const real4* pulls, __global const real4* befores, __global real4* losses, __global real4* works,
+    __global real4* impulses, __global real4* angulars, __global real4* drag_impulses, __global sc_findings* findings) {
   __local sc_found all[SC_GROUP];
   const size_t i = get_global_id(0);
   const int halted = stale[step] != 0;
@@ -284,8 +285,8 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_move_bodi
     const sc_gathered of_walls = p.counts.faces > 0 ? sc_gathered_of_walls(wall_loads, i) : sc_nothing_gathered();
     const sc_gathered all_of = sc_gather_walls(of_partners, of_walls);
     const sc_body_motion s = sc_body_at(own, sc_make_quat(q.x, q.y, q.z, q.w), momentum, inertias[i]);
-    const sc_acting acting = {0, {0, 0, 0}};
-    const sc_books books = {losses, works, impulses, angulars, 0};
+    const sc_acting acting = {fields, {streams, pulls, befores}};
+    const sc_books books = {losses, works, impulses, angulars, drag_impulses};
     const sc_body_moved moved =
         sc_move_body(sc_move_at(p), s, all_of.force, all_of.turn, sc_field_on(p, s.centre, acting, i));
     const sc_gathered push = free_body ? of_walls : all_of;

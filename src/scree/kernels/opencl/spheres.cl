@@ -186,9 +186,9 @@ SC_FN void sc_report(sc_device_step p, int step, sc_found found, int halted, __l
 
 #if !SC_SHAPED
 /// One step, number `step` of those that `poses` ([step][wall]) were sent for. Nothing happens if lists did not hold any more
-/// after an earlier one, or if what acts in this one is lost.
+/// after an earlier one, or if what acts in this one is no number (sc_halt_where_lost).
 __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
-    const sc_device_step p, const int step, __global int* stale, __global const int* lost, __global const real4* motion,
+    const sc_device_step p, const int step, __global int* stale, __global const real4* motion,
     __global const real4* spin, __global real4* motion_out, __global real4* spin_out, __global const real* excess,
     __global const int* material, __global const int* ghost, __global const long* id, __global const real4* listed,
     __global const sc_pair_law* laws, __global const int* counts, __global uint* partners, __global real4* slides,
@@ -199,8 +199,7 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_pass(
     __global real4* impulses, __global real4* angulars, __global real4* drag_impulses, __global sc_findings* findings) {
   __local sc_found all[SC_GROUP];
   const size_t i = get_global_id(0);
-  const int no_number = SC_CHOSEN_WATCHED ? lost[step] : 0;
-  const int halted = (stale[step] | no_number) != 0;
+  const int halted = stale[step] != 0;
   sc_found found = sc_nothing_found();
   if (!halted && i < (size_t)p.counts.particles && !sc_is_ghost(ghost, i)) {
     const sc_state state = {motion, spin, excess, material, ghost, id};

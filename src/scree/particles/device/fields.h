@@ -32,7 +32,7 @@ class DeviceFields {
   /// Whether sc_meet_fields has to run before every step.
   bool apart() const { return place_ == SC_FIELDS_APART; }
 
-  /// Whether sc_turn_spheres has to follow it.
+  /// Whether sc_turn_particles has to follow it.
   bool turns() const { return turns_; }
 
   /// Whether what acts may be no number.

@@ -156,13 +156,19 @@ void DeviceParticles::meet_fields(int number, int from) {
   if (!fields_.apart()) return;
   fields_.make_room(device_, n_);
   program_.run("sc_meet_fields", n_, group, constants_, number, stale_, fields_.lost(), motion_[from], spin_[from],
+               column_or_none("orientation"), column_or_none("inertia"), column_or_none("form"),
                column_or_none("stream"), column_or_none("pull"), column_or_none("before"), fields_.shapes(),
                fields_.tables(), fields_.found());
-  if (borders_) share_lost(number);
+  if (fields_.watched()) {
+    if (borders_) share_lost(number);
+    program_.run("sc_halt_where_lost", 1, 1, number, fields_.lost(), stale_);
+  }
   if (!fields_.turns()) return;
-  program_.run("sc_turn_spheres", n_, group, constants_, number, stale_, fields_.lost(), motion_[from], spin_[from],
+  program_.run("sc_turn_particles", n_, group, constants_, number, stale_, motion_[from], spin_[from],
+               column_or_none("orientation"), column_or_none("inertia"), column_or_none("form"),
                column_or_none("stream"), column_or_none("pull"), column_or_none("before"), column_or_none("gradient"),
-               fields_.shapes(), fields_.tables(), columns_.at("work"), columns_.at("angular_impulse"));
+               fields_.shapes(), fields_.tables(), column_or_none("angular_momentum"), columns_.at("work"),
+               columns_.at("angular_impulse"));
 }
 
 /// Step number `number` since the steps were last settled.
@@ -203,8 +209,8 @@ void DeviceParticles::pass(const char* kernel, int number, const State&... state
 }
 
 void DeviceParticles::launch_spheres(int number, int from, int to) {
-  pass("sc_pass", number, fields_.lost(), motion_[from], spin_[from], motion_[to], spin_[to],
-       columns_.at("effect_excess"), columns_.at("material"), ghost_flags(), columns_.at("id"), listed_);
+  pass("sc_pass", number, motion_[from], spin_[from], motion_[to], spin_[to], columns_.at("effect_excess"),
+       columns_.at("material"), ghost_flags(), columns_.at("id"), listed_);
 }
 
 void DeviceParticles::launch_mixed(int number, int from, int to) {

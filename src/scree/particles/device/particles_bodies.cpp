@@ -32,15 +32,14 @@ void DeviceParticles::send_prescribed() {
 void DeviceParticles::accelerate_bodies(int number, int from) {
   const DeviceBodies& b = *bodies_;
   if (constants_.move.lag == 0) return;
-  program_.run("sc_accelerate_bodies", static_cast<std::size_t>(b.count), group, constants_, number, stale_,
-               fields_.lost(), b.count, b.rows, b.prescribed, motion_[from], fields_.found());
+  program_.run("sc_accelerate_bodies", static_cast<std::size_t>(b.count), group, constants_, number, stale_, b.count,
+               b.rows, b.prescribed, motion_[from], fields_.found());
 }
 
 void DeviceParticles::carry_bodies(int number, int to) {
   const DeviceBodies& b = *bodies_;
-  program_.run("sc_carry_bodies", static_cast<std::size_t>(b.count), group, constants_, number, stale_, fields_.lost(),
-               b.count, b.rows, b.prescribed, listed_, motion_[to], columns_.at("image"),
-               column_or_none("angular_momentum"));
+  program_.run("sc_carry_bodies", static_cast<std::size_t>(b.count), group, constants_, number, stale_, b.count, b.rows,
+               b.prescribed, listed_, motion_[to], columns_.at("image"), column_or_none("angular_momentum"));
 }
 
 }  // namespace scree

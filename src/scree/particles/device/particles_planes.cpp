@@ -17,8 +17,8 @@ void DeviceParticles::watch(const std::vector<sc_counting_plane>& planes) {
 }
 
 void DeviceParticles::count_passings(int number, int from, int to) {
-  program_.run("sc_count_passings", n_, group, constants_, number, stale_, fields_.lost(), motion_[from], motion_[to],
-               ghost_flags(), static_cast<int>(planes_->counts.size()), planes_->planes, planes_->passed);
+  program_.run("sc_count_passings", n_, group, constants_, number, stale_, motion_[from], motion_[to], ghost_flags(),
+               static_cast<int>(planes_->counts.size()), planes_->planes, planes_->passed);
 }
 
 /// Takes down what the particles have passed: before some go, or come to rows where others were.

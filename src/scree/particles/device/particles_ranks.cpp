@@ -238,7 +238,6 @@ void DeviceParticles::put_memory(const KeyedContacts& contacts,
 
 /// Where what acts in a step is no number for one rank, no rank does the step.
 void DeviceParticles::share_lost(int step) {
-  if (!fields_.watched()) return;
   std::int32_t lost = 0;
   const std::size_t at = static_cast<std::size_t>(step) * sizeof lost;
   fields_.lost().read(&lost, sizeof lost, at);

@@ -147,7 +147,9 @@ void DeviceParticles::launch_shapes(int number, int from, int to) {
   program_.run("sc_move_bodies", n_, group, constants_, number, stale_, motion_[from], spin_[from], motion_[to],
                spin_[to], column("orientation"), column("angular_momentum"), column("inertia"), column("effect_excess"),
                column("material"), listed_, lists_.counts, s.gather, s.full, s.loads, s.wall_loads, column("image"),
-               column("loss"), column("work"), column("impulse"), column("angular_impulse"), found_);
+               fields_.found(), column_or_none("stream"), column_or_none("pull"), column_or_none("before"),
+               column("loss"), column("work"), column("impulse"), column("angular_impulse"),
+               column_or_none("drag_impulse"), found_);
 }
 
 }  // namespace scree
