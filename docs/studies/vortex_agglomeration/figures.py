@@ -11,6 +11,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.ticker  # noqa: E402
 import numpy as np  # noqa: E402
 import PIL.Image  # noqa: E402
 
@@ -75,6 +76,14 @@ def draw_paths(options, base):
     return figure
 
 
+def count_logarithmically(axes):
+    """A logarithmic axis of numbers that are read, not powers."""
+    axes.set_yscale("log")
+    axes.yaxis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
+
+
 def draw_agglomerates(options, base):
     rows = measure.table(options.runs)
     stokes = sorted({row["stokes"] for row in rows})
@@ -93,7 +102,7 @@ def draw_agglomerates(options, base):
         axes.set_xticks([0.25, 0.5, 1, 2, 4], ["0.25", "0.5", "1", "2", "4"])
         axes.minorticks_off()
         if name != "agglomerated_fraction":
-            axes.set_yscale("log")
+            count_logarithmically(axes)
     all_axes[0].set_ylim(0, 1)
     all_axes[0].legend(fontsize=8)
     return figure
@@ -115,10 +124,11 @@ def draw_courses(options, base):
     for axes, value in zip(all_axes[0], stokes):
         axes.set(title=f"Stokes number {value:g}", ylim=(0, 1))
     for axes in all_axes[1]:
-        axes.set(xlabel="time / turnovers", yscale="log")
+        axes.set(xlabel="time / turnovers")
+        count_logarithmically(axes)
     all_axes[0, 0].set_ylabel("part of the spheres in agglomerates")
     all_axes[1, 0].set_ylabel("spheres per agglomerate")
-    all_axes[0, -1].legend(title="stickiness", fontsize=7, title_fontsize=8)
+    all_axes[0, 0].legend(title="stickiness", fontsize=7, title_fontsize=8, loc="upper left", ncols=2)
     return figure
 
 
