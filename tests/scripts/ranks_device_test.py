@@ -47,6 +47,43 @@ max = [0.1, 0.06, 0.06]
 series = "5 ms"
 """
 
+# Balls that shoot into dust, so that one rank begins without any of them; there are no walls.
+TWO_SIZES = """
+[simulation]
+end = 0.005
+time_step = 1e-5
+max_overlap = 0.9
+[domain]
+min = [0, 0, 0]
+max = [0.06, 0.02, 0.02]
+periodic = [false, true, true]
+[[materials]]
+name = "glass"
+density = 2000
+stiffness = 800
+restitution = 0.5
+friction = 0.3
+[[particles]]
+name = "dust"
+material = "glass"
+diameter = "1.2 mm"
+insert = "random"
+count = 400
+region_min = [0, 0, 0]
+region_max = [0.042, 0.02, 0.02]
+[[particles]]
+name = "balls"
+material = "glass"
+diameter = "7 mm"
+insert = "random"
+count = 4
+region_min = [0.044, 0, 0]
+region_max = [0.06, 0.02, 0.02]
+velocity = [-8, 0.1, 0]
+[output]
+series = "5 ms"
+"""
+
 
 # Bodies that cross many blocks as formulas say.
 STIRRERS = """
@@ -127,6 +164,9 @@ class OnDevices(Ranks):
 
     def test_particles_that_come_and_go(self):
         self.same_on_devices(SPHERES_COME, [2])
+
+    def test_bodies_that_no_other_rank_has_the_size_of(self):
+        self.same_on_devices(TWO_SIZES, [2])
 
     def test_torques_of_a_stream_turn_copies_too(self):
         self.same_on_devices(TURNED, [2])

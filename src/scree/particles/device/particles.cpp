@@ -57,7 +57,7 @@ DeviceParticles::DeviceParticles(const opencl::Device& device, Precision precisi
       walls_(s.walls.poses.size()),
       skin_(lists.skin),
       adapts_(lists.adapts) {
-  reach_as_far_as(s, sizes_of(s.particles));
+  reach_as_far_as(s, sizes_of(s.particles, lists.ranks));
   constants_.box = box_of(s.domain);
   least_ = s.domain.min;
   greatest_ = s.domain.max;
