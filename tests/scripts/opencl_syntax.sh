@@ -65,7 +65,7 @@ for target in spir64 nvptx64; do
     check "kernels for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=1 $laws $fields $formulas -I"$source" "$kernels/double.cl"
   done
   for fields in "$everything" "$solved" "$turned"; do
-    check "kernels of shapes for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=0 $laws -USC_SHAPED -DSC_SHAPED=1 $fields $formulas "$kernels/all.shapes.cl"
+    check "kernels of shapes for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=1 $laws -USC_SHAPED -DSC_SHAPED=1 $fields $formulas "$kernels/all.shapes.cl"
   done
   check "kernels in mixed precision for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=0 $laws $solved $formulas "$kernels/mixed.cl"
 done

@@ -1,6 +1,7 @@
 """Runs on several processes, each with an OpenCL device: what one process on the processors gives. usage:
 ranks_device_test.py PROGRAM MPIEXEC"""
 
+import csv
 import json
 import os
 import re
@@ -9,7 +10,7 @@ import unittest
 # Processes share the processors that PoCL makes a device of: each of them is to take one.
 os.environ["POCL_MAX_PTHREAD_COUNT"] = "1"
 
-from ranks_common import CROWD, SPHERES_COME, TURNED, Ranks
+from ranks_common import CROWD, SHAPES_COME, SPHERES_COME, TURNED, Ranks
 
 # Everything swarms to one corner: blocks are cut anew, and everybody there changes the rank.
 SWARM = """
@@ -45,6 +46,144 @@ min = [-0.05, 0, 0]
 max = [0.1, 0.06, 0.06]
 [output]
 series = "5 ms"
+"""
+
+# Bodies of several shapes are driven into a corner, inside and outside of a tube, which rods touch at both ends: blocks are cut
+# anew, and many change the rank while they touch each other and walls.
+BODIES = """
+[simulation]
+end = 0.01
+time_step = 2e-5
+max_overlap = 0.9
+[domain]
+min = [0, 0, 0]
+max = [0.05, 0.05, 0.06]
+periodic = [true, false, false]
+[gravity]
+type = "uniform"
+acceleration = [300, 250, -300]
+[contact]
+rolling = "spring"
+twisting = "spring"
+[[materials]]
+name = "glass"
+density = 2000
+stiffness = 2000
+restitution = 0.6
+friction = 0.3
+rolling_friction = 0.02
+twisting_friction = 0.1
+[[particles]]
+name = "boxes"
+shape = "superellipsoid"
+half_axes = [0.003, 0.002, 0.0015]
+exponents = [0.4, 0.4]
+orientation = { type = "random" }
+material = "glass"
+insert = "random"
+count = 60
+velocity = { type = "random", deviation = 0.7 }
+[[particles]]
+name = "rods"
+shape = "capsule"
+half_axes = [0.0012, 0.0012, 0.005]
+orientation = { type = "random" }
+material = "glass"
+insert = "random"
+count = 40
+velocity = { type = "random", deviation = 0.7 }
+[[particles]]
+name = "balls"
+diameter = "4 mm"
+material = "glass"
+insert = "random"
+count = 50
+velocity = { type = "random", deviation = 0.7 }
+[[walls]]
+name = "box"
+type = "box"
+material = "glass"
+min = [-0.05, 0, 0]
+max = [0.1, 0.05, 0.06]
+[[walls]]
+name = "tube"
+type = "cylinder"
+material = "glass"
+start = [0.03, 0.03, 0]
+end = [0.03, 0.03, 0.06]
+radius = 0.015
+[output]
+series = "2 ms"
+frames = "5 ms"
+checkpoints = "5 ms"
+contacts = true
+"""
+
+# Balls that shoot into dust, so that one rank begins without any of them; there are no walls.
+TWO_SIZES = """
+[simulation]
+end = 0.005
+time_step = 1e-5
+max_overlap = 0.9
+[domain]
+min = [0, 0, 0]
+max = [0.06, 0.02, 0.02]
+periodic = [false, true, true]
+[[materials]]
+name = "glass"
+density = 2000
+stiffness = 800
+restitution = 0.5
+friction = 0.3
+[[particles]]
+name = "dust"
+material = "glass"
+diameter = "1.2 mm"
+insert = "random"
+count = 400
+region_min = [0, 0, 0]
+region_max = [0.042, 0.02, 0.02]
+[[particles]]
+name = "balls"
+material = "glass"
+diameter = "7 mm"
+insert = "random"
+count = 4
+region_min = [0.044, 0, 0]
+region_max = [0.06, 0.02, 0.02]
+velocity = [-8, 0.1, 0]
+[output]
+series = "5 ms"
+"""
+
+# The crowd of the turned ones in a fluid that is solved for; and with rods.
+SOLVED = TURNED.split("[flow]")[0].replace("end = 0.006", "end = 0.004") + """
+[fluid]
+type = "incompressible"
+density = 10
+viscosity = 0.1
+cells = [6, 4, 4]
+velocity = ["0.1", "0", "0"]
+[coupling]
+drag = "di_felice"
+added_mass = true
+saffman = true
+viscous_torque = "on"
+subcycles = 13
+[output]
+series = 0.002
+frames = 0.002
+"""
+SOLVED_RODS = SOLVED.replace("di_felice", "holzer_sommerfeld") + """
+[[particles]]
+name = "rods"
+material = "grain"
+shape = "ellipsoid"
+half_axes = [0.002, 0.0008, 0.0008]
+orientation = { type = "random" }
+insert = "random"
+count = 40
+velocity = { type = "random", deviation = 0.3 }
 """
 
 
@@ -128,6 +267,42 @@ class OnDevices(Ranks):
     def test_particles_that_come_and_go(self):
         self.same_on_devices(SPHERES_COME, [2])
 
+    def test_bodies_of_any_shape_in_a_swarm_that_goes_on_on_another_number_of_devices(self):
+        alone = self.same_on_devices(BODIES, [2])
+        self.run_on(2, BODIES, "parts", "--device", "opencl", "--until", "0.005")
+        gone_on = self.run_on(3, BODIES, "parts", "--device", "opencl", "--restart", "latest")
+        for key in ("state_hash", "contacts", "wall_contacts", "ledger"):
+            self.assertEqual(gone_on[key], alone[key], key)
+
+    def test_bodies_of_any_shape_that_come_and_go(self):
+        self.same_on_devices(SHAPES_COME.replace("end = 0.06", "end = 0.006"), [2])
+
+    def test_bodies_that_no_other_rank_has_the_size_of(self):
+        self.same_on_devices(TWO_SIZES, [2])
+
+    def same_in_a_fluid(self, case):
+        # The fluid's bits are those of as many processes.
+        host = self.run_on(2, case, "host")
+        self.assertGreater(host["contacts"], 300)
+        device = self.run_on(2, case, "device", "--device", "opencl")
+        for key in ("state_hash", "fluid_hash", "steps", "contacts"):
+            self.assertEqual(device[key], host[key], key)
+        for frame in (self.work / "host").glob("f*/*.h5"):
+            there = self.work / "device" / frame.relative_to(self.work / "host")
+            self.assertEqual(there.read_bytes(), frame.read_bytes(), frame.name)
+        # Rounding in the books of the exchange is that of sums over the particles of each rank, which may have other blocks.
+        rows = [[{name: value for name, value in row.items() if name != "coupling_error"}
+                 for row in csv.DictReader((self.work / name / "series.csv").read_text().splitlines())]
+                for name in ("host", "device")]
+        self.assertEqual(*rows)
+        self.assertLess(device["ledger"]["coupling_error"], 1e-18)
+
+    def test_spheres_in_a_fluid_that_is_solved_for(self):
+        self.same_in_a_fluid(SOLVED)
+
+    def test_bodies_of_any_shape_in_a_fluid_that_is_solved_for(self):
+        self.same_in_a_fluid(SOLVED_RODS)
+
     def test_torques_of_a_stream_turn_copies_too(self):
         self.same_on_devices(TURNED, [2])
 
@@ -153,12 +328,17 @@ class OnDevices(Ranks):
         self.assertEqual(gone_on["state_hash"], alone["state_hash"])
         self.assertEqual(gone_on["ledger"], alone["ledger"])
 
-    def test_what_goes_wrong_stops_all_in_the_same_step(self):
-        case = CROWD.replace("max_overlap = 0.9", "max_overlap = 0.02")
+    def fails_alike(self, case):
         said = [self.scree(n, case, f"fails{n}", *words).stderr
                 for n, words in ((0, []), (2, ["--device", "opencl"]))]
         self.assertIn("overlap", said[0])
         self.assertEqual(*[re.search(r"t = .*overlap[^\n]*", text)[0] for text in said])
+
+    def test_what_goes_wrong_stops_all_in_the_same_step(self):
+        self.fails_alike(CROWD.replace("max_overlap = 0.9", "max_overlap = 0.02"))
+
+    def test_bodies_of_any_shape_that_go_wrong_stop_all_in_the_same_step(self):
+        self.fails_alike(BODIES.replace("max_overlap = 0.9", "max_overlap = 0.25"))
 
 
 if __name__ == "__main__":

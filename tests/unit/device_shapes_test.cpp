@@ -136,17 +136,7 @@ TEST(DeviceShapes, AreRefusedWhereVerticesFindTheirContacts) {
   }
 }
 
-TEST(DeviceShapes, AreRefusedOnTheDevicesOfSeveralProcesses) {
-  try {
-    refuse_on_device(case_of(periodic(rough)), true);
-    ADD_FAILURE() << "it was not refused";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("no spheres are not there yet on the devices of several"),
-              std::string::npos)
-        << error.what();
-  }
-  EXPECT_THROW(refuse_in_mixed(case_of(periodic(rough))), InputError);
-}
+TEST(DeviceShapes, AreRefusedInMixedPrecision) { EXPECT_THROW(refuse_in_mixed(case_of(periodic(rough))), InputError); }
 
 }  // namespace
 }  // namespace scree

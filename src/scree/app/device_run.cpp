@@ -34,19 +34,6 @@ std::string key_of_shape(const Case& c) {
   return fmt::format("particles.{}.shape", k);
 }
 
-void refuse_on_several(const Case& c) {
-  const auto lacks = [&](const std::string& key, const std::string& what) {
-    throw error_at(c, key,
-                   {"E193",
-                    {},
-                    what + " not there yet on the devices of several processes",
-                    "",
-                    "run the case in one process, or without --device"});
-  };
-  if (couples(c)) lacks("fluid.type", "flows that are solved for are");
-  if (has_shapes(c)) lacks(key_of_shape(c), "particles that are no spheres are");
-}
-
 /// Refuses a formula with a function that kernels do not have.
 void refuse_formulas(const Case& c, const std::string& key, const Expression3& formulas) {
   for (const std::string& formula : formulas) {
@@ -118,13 +105,12 @@ void refuse_in_mixed(const Case& c, bool several) {
     lacks("flow.type", "forces of a flow besides the drag of spheres are");
 }
 
-void refuse_on_device(const Case& c, bool several) {
+void refuse_on_device(const Case& c) {
   if (has_shapes(c) && by_vertices(c)) refuse(c, "contact.detection", "contacts of shapes by vertices are");
   if (is_hard(c)) refuse(c, "contact.collision", "hard collisions are");
   if (c.gravity.type == "expression") refuse_formulas(c, "gravity.expression", c.gravity.expression);
   if (c.flow.type == "expression") refuse_formulas(c, "flow.expression", c.flow.expression);
   if (solves_flow(c) && !couples(c)) refuse(c, "fluid.type", "flows that are solved for are");
-  if (several) refuse_on_several(c);
   if (warms(c)) refuse(c, "heat.type", "temperatures of particles are");
 }
 

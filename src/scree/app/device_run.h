@@ -27,9 +27,8 @@ opencl::DeviceInfo find_device(const std::string& name, int place = 0);
 /// name, and for mixed precision on the CPU.
 Precision find_precision(const std::string& name, const std::string& device);
 
-/// Throws InputError at the key of the first thing in the case that runs on the CPU only so far, or, if `several` ranks
-/// share it, in one process.
-void refuse_on_device(const Case& c, bool several = false);
+/// Throws InputError at the key of the first thing in the case that runs on the CPU only so far.
+void refuse_on_device(const Case& c);
 
 /// Throws InputError at the key of the first thing that devices have in double precision only.
 void refuse_in_mixed(const Case& c, bool several = false);

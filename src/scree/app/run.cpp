@@ -157,7 +157,7 @@ void run_to_stop(RunLoop& run, const RunOptions& options, const InterruptGuard& 
 /// The device of the run; none on the CPU.
 std::optional<opencl::DeviceInfo> device_of(const Case& c, const RunOptions& options, Precision precision) {
   if (options.device == "cpu") return {};
-  refuse_on_device(c, !options.ranks.alone());
+  refuse_on_device(c);
   if (precision == Precision::mixed) refuse_in_mixed(c, !options.ranks.alone());
   return find_device(options.device, options.processors.place);
 }

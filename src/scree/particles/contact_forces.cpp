@@ -65,7 +65,7 @@ std::vector<ContactForce> contact_forces(const Sample& sample) {
   for (std::size_t p = 0; p < s.particles.size(); ++p)
     for (std::int32_t w = s.wall_contacts.first[p]; w < s.wall_contacts.first[p + 1]; ++w)
       if (s.wall_contacts.active[w]) out.push_back(of_wall(sample, static_cast<std::int32_t>(p), w));
-  std::sort(out.begin(), out.end(), [](const ContactForce& a, const ContactForce& b) {
+  std::stable_sort(out.begin(), out.end(), [](const ContactForce& a, const ContactForce& b) {
     return std::tuple(a.at_wall(), a.first_id, a.second_id, a.face) <
            std::tuple(b.at_wall(), b.first_id, b.second_id, b.face);
   });

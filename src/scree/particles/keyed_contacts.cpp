@@ -31,8 +31,6 @@ std::vector<T> picked(const std::vector<T>& table, std::size_t rows, const std::
   return out;
 }
 
-KeyedContacts in_order(const KeyedContacts& contacts) { return rows_of(contacts, order_of(contacts.ids)); }
-
 /// The memory of contact c of a list that holds pairs or walls. Adding 0 makes -0 to 0: the sign of nothing would tell
 /// which of the partners owned the pair.
 template <class Contacts>
@@ -86,6 +84,8 @@ KeyedContacts rows_of(const KeyedContacts& contacts, const std::vector<std::size
   return {picked(contacts.ids, count, rows), picked(contacts.memory, count, rows), picked(contacts.couple, count, rows),
           picked(contacts.shape, count, rows)};
 }
+
+KeyedContacts in_order(const KeyedContacts& contacts) { return rows_of(contacts, order_of(contacts.ids)); }
 
 KeyedContacts in_order_once(KeyedContacts contacts) {
   const std::vector<std::int64_t>& ids = contacts.ids;

@@ -19,6 +19,9 @@ KeyedContacts keyed_walls(const ParticleSystem& system, const std::function<bool
 /// The rows of `contacts` that are named, in that order.
 KeyedContacts rows_of(const KeyedContacts& contacts, const std::vector<std::size_t>& rows);
 
+/// In the order of their keys; several of one key, as at places of one face, stay in theirs.
+KeyedContacts in_order(const KeyedContacts& contacts);
+
 /// In the order of their keys, those of equal keys once.
 KeyedContacts in_order_once(KeyedContacts contacts);
 

@@ -35,21 +35,27 @@ __kernel void sc_carry_over(const int n, const int n_before, const int of_faces,
 }
 
 /// Puts what contacts remember that have come with particles from elsewhere, `count` of them, into the lists of the particle
-/// in each row; `partner` is the id of the other, or the face.
+/// in each row; `partner` is the id of the other, or the face. Contacts of one particle with one face, which follow each other,
+/// take its places in turn.
 __kernel void sc_put_memory(const int count, const int of_faces, const int n, __global const int* rows,
                             __global const long* partner, __global const uint* code, __global const real4* slide,
-                            __global const real4* roll, __global const long* id, __global const int* counts,
-                            __global uint* entries, __global real4* slides, __global real4* rolls, __global int* lost) {
+                            __global const real4* roll, __global const real4* shape, __global const long* id,
+                            __global const int* counts, __global uint* entries, __global real4* slides,
+                            __global real4* rolls, __global real4* shapes, __global int* lost) {
   const size_t c = get_global_id(0);
   if (c >= (size_t)count) return;
   const size_t row = (size_t)rows[c];
+  size_t first = c;
+  while (first > 0 && rows[first - 1] == rows[c] && partner[first - 1] == partner[c]) --first;
+  size_t taken = c - first;
   for (int k = 0; k < counts[row]; ++k) {
     const size_t slot = (size_t)k * (size_t)n + row;
     const uint other = entries[slot] & SC_PARTNER;
-    if (partner[c] != (of_faces ? (long)other : id[other])) continue;
+    if (partner[c] != (of_faces ? (long)other : id[other]) || taken-- > 0) continue;
     entries[slot] = other | code[c] << SC_CODE_SHIFT;
     slides[slot] = slide[c];
     if (SC_ROLLS) rolls[slot] = roll[c];
+    for (size_t l = 0; SC_SHAPED && l < 2; ++l) shapes[2 * slot + l] = shape[2 * c + l];
     return;
   }
   atomic_inc(lost);

@@ -29,7 +29,8 @@ SC_FN sc_span sc_span_along(sc_cells cells, int axis, real x) {
 SC_FN int sc_wrap_cell(int cell, int cells) { return cell < 0 ? cell + cells : (cell >= cells ? cell - cells : cell); }
 
 /// Lists all particles whose effect surfaces are nearer than `skin` to that of each, in the order of their ids; `most` gets
-/// the largest number. Where that is more than there is room for, the rest is left out.
+/// the largest number. Where that is more than there is room for, the rest is left out. Copies list nobody; copies of bodies
+/// of any shape list those who are none, since they may own the pair.
 __kernel void sc_find_partners(const sc_box box, const sc_cells cells, const sc_counts sizes, const real skin,
                                __global const double4* motion, __global const real* excess, __global const long* id,
                                __global const int* ghost, __global const int* cell_first, __global int* counts,
@@ -37,12 +38,13 @@ __kernel void sc_find_partners(const sc_box box, const sc_cells cells, const sc_
   const size_t i = get_global_id(0);
   const size_t n = (size_t)sizes.particles;
   if (i >= n) return;
-  if (sc_is_ghost(ghost, i)) {
+  const int copy = sc_is_ghost(ghost, i);
+  if (copy & !SC_SHAPED) {
     counts[i] = 0;
     return;
   }
   const double4 own = motion[2 * i];
-  const real own_mass = motion[2 * i + 1].w, reach = own.w + excess[i] + skin;
+  const real own_mass = motion[2 * i + 1].w;
   const sc_span sx = sc_span_along(cells, 0, own.x), sy = sc_span_along(cells, 1, own.y);
   const sc_span sz = sc_span_along(cells, 2, own.z);
   int count = 0;
@@ -54,9 +56,11 @@ __kernel void sc_find_partners(const sc_box box, const sc_cells cells, const sc_
     for (int j = cell_first[cell]; j < cell_first[cell + 1]; ++j) {
       const double4 other = motion[2 * j];
       const sc_vec d = sc_branch(box, own, other);
-      const real range = reach + other.w + excess[j];
+      // The same to the last bit from both sides: pairs of shapes are on both lists or on none.
+      const real range = (own.w + other.w) + (excess[i] + excess[j]) + skin;
       if ((size_t)j == i || !(sc_dot(d, d) < range * range)) continue;
       if (own_mass == R(0) && motion[2 * j + 1].w == R(0)) continue;
+      if (copy && sc_is_ghost(ghost, (size_t)j)) continue;
       if (count < sizes.room) {
         // Into the order of ids, by insertion: lists are short.
         int to = count;

@@ -50,8 +50,9 @@ __kernel void sc_number_pairs(const int n, __global const int* counts, __global 
 }
 
 /// Gives pairs that acted, or are known to be apart for some way to come, their memory from the pairs of before; `place` says
-/// where each particle has gone, -1 if he is here no more. A contact that is no pair any more is noted in `lost`.
-__kernel void sc_carry_over_pairs(const int old_count, const int n, __global const int* place,
+/// where each particle has gone, -1 if he is here no more. A contact that is no pair any more is noted in `lost`, but for
+/// those of which both partners have become copies of others' particles.
+__kernel void sc_carry_over_pairs(const int old_count, const int n, __global const int* place, __global const int* ghost,
                                   __global const uint2* old_pairs, __global const double4* old_slides,
                                   __global const double4* old_rolls, __global const double4* old_shapes,
                                   __global const double* old_apart, __global const int* counts,
@@ -64,7 +65,7 @@ __kernel void sc_carry_over_pairs(const int old_count, const int n, __global con
   const uint code = pair.x & ~SC_PARTNER;
   if (!code && !(old_apart[from] > R(0))) return;
   const int own = place[pair.x & SC_PARTNER], other = place[pair.y];
-  if (own < 0 || other < 0) return;
+  if (own < 0 || other < 0 || (sc_is_ghost(ghost, (size_t)own) && sc_is_ghost(ghost, (size_t)other))) return;
   const size_t i = (size_t)own;
   const int k = sc_place_in_list((size_t)n, i, counts[i], entries, id, id[other]);
   if (k == counts[i]) {
@@ -78,6 +79,29 @@ __kernel void sc_carry_over_pairs(const int old_count, const int n, __global con
   slides[c] = old_slides[from];
   if (SC_ROLLS) rolls[c] = old_rolls[from];
   for (size_t l = 0; l < 2; ++l) shapes[2 * c + l] = old_shapes[2 * from + l];
+}
+
+/// Puts what `count` contacts remember that have come with bodies from elsewhere to the numbers of their pairs; `rows` names a
+/// body of each, `partner` the id of the other.
+__kernel void sc_put_pairs(const int count, const int n, __global const int* rows, __global const long* partner,
+                           __global const uint* code, __global const double4* slide, __global const double4* roll,
+                           __global const double4* shape, __global const long* id, __global const int* counts,
+                           __global const uint* entries, __global const uint* gather, __global uint2* pairs,
+                           __global double4* slides, __global double4* rolls, __global double4* shapes,
+                           __global int* lost) {
+  const size_t from = get_global_id(0);
+  if (from >= (size_t)count) return;
+  const size_t i = (size_t)rows[from];
+  const int k = sc_place_in_list((size_t)n, i, counts[i], entries, id, partner[from]);
+  if (k == counts[i]) {
+    atomic_inc(lost);
+    return;
+  }
+  const size_t c = gather[(size_t)k * (size_t)n + i] >> 1;
+  pairs[c].x = (pairs[c].x & SC_PARTNER) | code[from] << SC_CODE_SHIFT;
+  slides[c] = slide[from];
+  if (SC_ROLLS) rolls[c] = roll[from];
+  for (size_t l = 0; l < 2; ++l) shapes[2 * c + l] = shape[2 * from + l];
 }
 
 /// Lists the pairs that need a look: at the front those that acted, at the back those whose surfaces have gone far enough to

@@ -8,7 +8,7 @@
 typedef struct {
   __global const real4 *motion, *spin, *orientations, *momenta, *inertias;
   __global const real* excess;
-  __global const int *material, *form;
+  __global const int *material, *form, *ghost;
   __global const sc_form* forms;
   __global const sc_pair_law* laws;
 } sc_bodies;
@@ -121,6 +121,8 @@ SC_FN void sc_act_on_pair(sc_device_step p, sc_bodies b, sc_pairs q, size_t c, s
   sc_keep_shape_memory(q, c, m.memory);
   q.slides[c] = sc_slide_row(r.state);
   if (SC_ROLLS) q.rolls[c] = sc_roll_row(r.state);
+  // Two ranks that share a pair both do this: that of the lower id, which owns it, counts.
+  if (sc_is_ghost(b.ghost, i)) return;
   ++found->contacts;
   if (code) return;
   ++found->impacts;
@@ -161,11 +163,12 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_meet_pair
     const sc_device_step p, const int step, const int count, __global int* stale, __global const real4* motion,
     __global const real4* spin, __global const real4* orientations, __global const real4* momenta,
     __global const real4* inertias, __global const real* excess, __global const int* material, __global const int* form,
-    __global const sc_form* forms, __global const sc_pair_law* laws, __global uint2* pairs, __global real4* slides,
-    __global real4* rolls, __global real4* shapes, __global real4* loads, __global real* apart, __global uchar* full,
-    __global const uint* looks, __global const int* numbers, const int note_at, __global sc_findings* findings) {
+    __global const int* ghost, __global const sc_form* forms, __global const sc_pair_law* laws, __global uint2* pairs,
+    __global real4* slides, __global real4* rolls, __global real4* shapes, __global real4* loads, __global real* apart,
+    __global uchar* full, __global const uint* looks, __global const int* numbers, const int note_at,
+    __global sc_findings* findings) {
   __local sc_found all[SC_GROUP];
-  const sc_bodies b = {motion, spin, orientations, momenta, inertias, excess, material, form, forms, laws};
+  const sc_bodies b = {motion, spin, orientations, momenta, inertias, excess, material, form, ghost, forms, laws};
   const sc_pairs q = {pairs, slides, rolls, shapes, loads, apart, full};
   const int halted = stale[step] != 0;
   const int first = numbers[2 * step], looked = halted ? 0 : first + numbers[2 * step + 1];
@@ -190,7 +193,7 @@ __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_meet_face
   const int halted = stale[step] != 0;
   sc_found found = sc_nothing_found();
   if (!halted && i < (size_t)p.counts.particles) {
-    const sc_bodies b = {motion, spin, orientations, 0, inertias, excess, material, form, forms, laws};
+    const sc_bodies b = {motion, spin, orientations, 0, inertias, excess, material, form, 0, forms, laws};
     const sc_state state = {motion, spin, excess, material, 0, 0};
     const sc_row own = sc_read_row(state, i, motion[2 * i]);
     const sc_near_faces f = {i,           (size_t)p.counts.particles,   face_counts[i], faces,
@@ -267,16 +270,17 @@ SC_FN sc_body_motion sc_body_at(sc_row own, sc_quat orientation, real4 momentum,
 __kernel __attribute__((reqd_work_group_size(SC_GROUP, 1, 1))) void sc_move_bodies(
     const sc_device_step p, const int step, __global int* stale, __global const real4* motion, __global const real4* spin,
     __global real4* motion_out, __global real4* spin_out, __global real4* orientations, __global real4* momenta,
-    __global const real4* inertias, __global const real* excess, __global const int* material, __global const real4* listed,
-    __global const int* counts, __global const uint* gather, __global const uchar* full, __global const real4* loads,
-    __global const real4* wall_loads, __global int4* images, __global const sc_field* fields, __global const real4* streams,
-    __global const real4* pulls, __global const real4* befores, __global real4* losses, __global real4* works,
-    __global real4* impulses, __global real4* angulars, __global real4* drag_impulses, __global sc_findings* findings) {
+    __global const real4* inertias, __global const real* excess, __global const int* material, __global const int* ghost,
+    __global const real4* listed, __global const int* counts, __global const uint* gather, __global const uchar* full,
+    __global const real4* loads, __global const real4* wall_loads, __global int4* images, __global const sc_field* fields,
+    __global const real4* streams, __global const real4* pulls, __global const real4* befores, __global real4* losses,
+    __global real4* works, __global real4* impulses, __global real4* angulars, __global real4* drag_impulses,
+    __global sc_findings* findings) {
   __local sc_found all[SC_GROUP];
   const size_t i = get_global_id(0);
   const int halted = stale[step] != 0;
   sc_found found = sc_nothing_found();
-  if (!halted && i < (size_t)p.counts.particles) {
+  if (!halted && i < (size_t)p.counts.particles && !sc_is_ghost(ghost, i)) {
     const sc_state state = {motion, spin, excess, material, 0, 0};
     const sc_row own = sc_read_row(state, i, motion[2 * i]);
     const real4 momentum = momenta[i], q = orientations[i];

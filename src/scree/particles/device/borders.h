@@ -25,9 +25,9 @@ struct DeviceBorders {
   std::vector<std::int32_t> come_rows;         // where they stand
   Luggage luggage;                             // of these
   opencl::DeviceBuffer sent_rows, ghost_rows;  // the same on the device
-  opencl::DeviceBuffer motion, spin;           // rows on their way
+  opencl::DeviceBuffer packed;                 // rows of one column on their way
 
-  std::size_t bytes() const { return sent_rows.bytes() + ghost_rows.bytes() + motion.bytes() + spin.bytes(); }
+  std::size_t bytes() const { return sent_rows.bytes() + ghost_rows.bytes() + packed.bytes(); }
 };
 
 }  // namespace scree

@@ -57,7 +57,7 @@ DeviceParticles::DeviceParticles(const opencl::Device& device, Precision precisi
       walls_(s.walls.poses.size()),
       skin_(lists.skin),
       adapts_(lists.adapts) {
-  reach_as_far_as(s, sizes_of(s.particles));
+  reach_as_far_as(s, sizes_of(s.particles, lists.ranks));
   constants_.box = box_of(s.domain);
   least_ = s.domain.min;
   greatest_ = s.domain.max;
@@ -169,6 +169,8 @@ void DeviceParticles::meet_fields(int number, int from) {
                column_or_none("stream"), column_or_none("pull"), column_or_none("before"), column_or_none("gradient"),
                fields_.shapes(), fields_.tables(), column_or_none("angular_momentum"), columns_.at("work"),
                columns_.at("angular_impulse"));
+  // What a fluid that is solved for has said to a particle its copies do not know.
+  if (borders_ && alike_.turned()) renew_copies(from);
 }
 
 /// Step number `number` since the steps were last settled.
@@ -262,7 +264,8 @@ DeviceParticles::Done DeviceParticles::do_in_turn() {
   for (std::size_t k = 0; k < given_.size(); ++k) {
     const int number = static_cast<int>(k);
     launch(given_[k], number);
-    if (!swap_ghosts((now_ + number + 1) % 2, number)) continue;
+    renew_copies((now_ + number + 1) % 2);
+    if (!some_rank_halts(number)) continue;
     const std::optional<std::ptrdiff_t> lost = fields_.take_first_lost(given_.size());
     return {lost.value_or(number + 1), true, lost.has_value()};
   }

@@ -97,9 +97,9 @@ class DeviceParticles {
   /// that of before. The system's walls are where they are now.
   void put_back(const PartOfDevice& before, const ParticleSystem& after);
 
-  /// Brings the columns of these names back, of those that `to` has, into rows as they stand on the device now; or puts
-  /// them there. All steps must be settled.
-  void read_columns(std::span<const std::string_view> names, Particles& to) const;
+  /// Brings the columns of these names back, of those that `to` has, into rows as own particles stand on the device
+  /// now; or puts them there. All steps must be settled.
+  void read_columns(std::span<const std::string_view> names, Particles& to);
   void write_columns(std::span<const std::string_view> names, const Particles& from);
 
   /// What acts at each particle in the step that was not done because of it, in the order of ids.
@@ -186,7 +186,7 @@ class DeviceParticles {
   std::vector<ActingPair> acting_pairs() const;
   std::vector<ActingPair> pairs_of_some(const std::vector<std::int32_t>& asked) const;
   template <class IdOf>
-  KeyedContacts remembered_by(const std::vector<ActingPair>& acting, IdOf&& id_of) const;
+  KeyedContacts remembered_by(const std::vector<ActingPair>& acting, IdOf&& id_of);
   template <class IdOf>
   Luggage remembered(const Lists& pairs, const Lists& faces, const std::vector<std::int64_t>& id, IdOf&& id_of) const;
   Lists make_room(std::size_t particles, int room, Remembers remembers) const;
@@ -207,6 +207,7 @@ class DeviceParticles {
   void put_words(const std::vector<std::int32_t>& rows, std::int32_t word, opencl::DeviceBuffer& to);
   const opencl::DeviceBuffer& ghost_flags() const;
   std::vector<std::int32_t> ghosts() const;
+  std::vector<std::int32_t> own_rows() const;
   void join(const ParticleSystem& system, const ContactLists& lists);
   void share_evenly();
   void cover_block(double range);
@@ -220,13 +221,17 @@ class DeviceParticles {
   void unpack_luggage();
   void put_memory(const KeyedContacts& contacts, const std::unordered_map<std::int64_t, std::int32_t>& row_of,
                   Lists& lists, bool of_faces);
-  bool swap_ghosts(int to, int step);
+  template <class Visit>
+  void for_each_travelling(int to, Visit&& visit);
+  void renew_copies(int to);
+  bool some_rank_halts(int step);
   void share_lost(int step);
   Done do_ahead();
   Done do_in_turn();
   DevicePairs make_pairs(std::size_t room) const;
   void make_room_for_pairs(std::size_t count);
   void list_pairs();
+  void put_pairs(const KeyedContacts& contacts, const std::unordered_map<std::int64_t, std::int32_t>& row_of);
   void make_lists();
   void sort_particles();
   void take(const opencl::DeviceBuffer& rows, std::size_t count, std::size_t row_bytes,

@@ -69,18 +69,33 @@ const opencl::DeviceBuffer& DeviceParticles::column_or_none(std::string_view nam
   return row_bytes_.contains(name) ? column(name) : none;
 }
 
-void DeviceParticles::read_columns(std::span<const std::string_view> names, Particles& to) const {
-  to.resize(n_);
+/// The rows of own particles, rising.
+std::vector<std::int32_t> DeviceParticles::own_rows() const {
+  const std::vector<std::int32_t> ghost = ghosts();
+  std::vector<std::int32_t> out;
+  for (std::size_t row = 0; row < ghost.size(); ++row)
+    if (ghost[row] == 0) out.push_back(static_cast<std::int32_t>(row));
+  return out;
+}
+
+void DeviceParticles::read_columns(std::span<const std::string_view> names, Particles& to) {
+  to.resize(count());
+  const opencl::DeviceBuffer rows = borders_ ? opencl::sent(device_, own_rows()) : opencl::DeviceBuffer();
   to.for_each_field([&](std::string_view name, auto& values, auto...) {
-    if (std::ranges::find(names, name) != names.end())
-      column(name).read(values.values.data(), n_ * row_bytes_.at(name));
+    if (std::ranges::find(names, name) == names.end()) return;
+    const std::size_t row_bytes = row_bytes_.at(name);
+    if (borders_) take(rows, count(), row_bytes, column(name), scratch_);
+    (borders_ ? scratch_ : column(name)).read(values.values.data(), count() * row_bytes);
   });
 }
 
 void DeviceParticles::write_columns(std::span<const std::string_view> names, const Particles& from) {
+  const opencl::DeviceBuffer rows = borders_ ? opencl::sent(device_, own_rows()) : opencl::DeviceBuffer();
   from.for_each_field([&](std::string_view name, const auto& values, auto...) {
-    if (std::ranges::find(names, name) != names.end())
-      column(name).write(values.values.data(), n_ * row_bytes_.at(name));
+    if (std::ranges::find(names, name) == names.end()) return;
+    const std::size_t row_bytes = row_bytes_.at(name);
+    (borders_ ? scratch_ : column(name)).write(values.values.data(), count() * row_bytes);
+    if (borders_) put(rows, count(), row_bytes, scratch_, column(name));
   });
 }
 
@@ -172,14 +187,22 @@ std::vector<DeviceParticles::ActingPair> DeviceParticles::acting_pairs() const {
 
 /// What pairs of bodies of any shape remember; `id_of` tells ids by rows.
 template <class IdOf>
-KeyedContacts DeviceParticles::remembered_by(const std::vector<ActingPair>& acting, IdOf&& id_of) const {
-  const DevicePairs& pairs = shapes_->pairs;
+KeyedContacts DeviceParticles::remembered_by(const std::vector<ActingPair>& acting, IdOf&& id_of) {
   KeyedContacts out;
-  const auto slides = pairs.slides.values<double>(4 * pairs.count);
-  const auto rolls = pairs.rolls.values<double>(rolls_ ? 4 * pairs.count : 0);
-  const auto shapes = pairs.shapes.values<double>(pair_memory * pairs.count);
-  for (const ActingPair& pair : acting) {
-    const std::size_t c = pair.number;
+  if (acting.empty()) return out;
+  std::vector<std::int32_t> numbers;
+  for (const ActingPair& pair : acting) numbers.push_back(static_cast<std::int32_t>(pair.number));
+  const opencl::DeviceBuffer wanted = opencl::sent(device_, numbers);
+  opencl::DeviceBuffer packed(device_, numbers.size() * pair_memory * sizeof(double));
+  const auto rows_of = [&](const opencl::DeviceBuffer& all, std::size_t width) {
+    take(wanted, numbers.size(), width * sizeof(double), all, packed);
+    return packed.values<double>(width * numbers.size());
+  };
+  const DevicePairs& pairs = shapes_->pairs;
+  const auto slides = rows_of(pairs.slides, 4), shapes = rows_of(pairs.shapes, pair_memory),
+             rolls = rolls_ ? rows_of(pairs.rolls, 4) : std::vector<double>();
+  for (std::size_t c = 0; c < acting.size(); ++c) {
+    const ActingPair& pair = acting[c];
     remember(out, id_of(pair.rows[0]), id_of(pair.rows[1]), &slides[4 * c], rolls_ ? &rolls[4 * c] : nullptr,
              pair.code);
     out.shape.insert(out.shape.end(), &shapes[pair_memory * c], &shapes[pair_memory * c] + pair_scratch);

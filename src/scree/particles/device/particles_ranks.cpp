@@ -1,8 +1,7 @@
-// Spheres on the devices of several ranks: each moves those of its block, with copies of those near it. When lists are
-// made, those near the borders come to the host, which lets them change the rank and tells whose copies go where;
+// Particles on the devices of several ranks: each moves those of its block, with copies of those near it. When lists
+// are made, those near the borders come to the host, which lets them change the rank and tells whose copies go where;
 // between that, copies are packed on the device in every step.
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <unordered_map>
 
@@ -15,8 +14,6 @@ namespace {
 
 /// Of the particles of one rank to the mean, above which blocks are cut anew.
 constexpr double uneven = 1.1;
-
-constexpr std::size_t motion_row = 8, spin_row = 4;
 
 std::vector<std::int32_t> numbers(std::size_t from, std::size_t to) {
   std::vector<std::int32_t> out;
@@ -103,7 +100,7 @@ Luggage DeviceParticles::luggage_of(const Particles& border, const std::vector<s
     leaving.push_back(rows[i]);
     id.push_back(border.id[i]);
   }
-  return contacts_of(leaving, id).contacts;
+  return leaving.empty() ? Luggage() : contacts_of(leaving, id).contacts;
 }
 
 /// Those who have left the block go to other ranks, those who have come into it are taken in; all get copies of those
@@ -189,11 +186,13 @@ void DeviceParticles::follow_others() {
   for (auto* rows : {&b.sent, &b.ghosts, &b.come_rows}) follow(*rows);
   b.sent_rows = opencl::sent(device_, b.sent);
   b.ghost_rows = opencl::sent(device_, b.ghosts);
-  const std::size_t most = std::max(b.sent.size(), b.ghosts.size());
-  b.motion = opencl::DeviceBuffer(device_, most * motion_row * sizeof(double));
-  b.spin = opencl::DeviceBuffer(device_, most * spin_row * sizeof(double));
-  for (std::size_t k = 0; k < b.halo.outgoing.size(); ++k)
-    b.halo.outgoing[k].bytes.resize(b.halo.rows[k].size() * (motion_row + spin_row) * sizeof(double));
+  std::size_t all = 0, widest = 0;
+  for_each_travelling(now_, [&](const opencl::DeviceBuffer&, std::size_t row_bytes) {
+    all += row_bytes;
+    widest = std::max(widest, row_bytes);
+  });
+  b.packed = opencl::DeviceBuffer(device_, std::max(b.sent.size(), b.ghosts.size()) * widest);
+  for (std::size_t k = 0; k < b.halo.outgoing.size(); ++k) b.halo.outgoing[k].bytes.resize(b.halo.rows[k].size() * all);
 }
 
 /// Gives those who have come what their contacts remember.
@@ -201,8 +200,11 @@ void DeviceParticles::unpack_luggage() {
   DeviceBorders& b = *borders_;
   std::unordered_map<std::int64_t, std::int32_t> row_of;
   for (std::size_t k = 0; k < b.come.size(); ++k) row_of[b.come[k]] = b.come_rows[k];
-  put_memory(b.luggage.pairs, row_of, lists_, false);
-  if (faces_ > 0) put_memory(b.luggage.walls, row_of, face_lists_, true);
+  if (shapes_)
+    put_pairs(b.luggage.pairs, row_of);
+  else
+    put_memory(b.luggage.pairs, row_of, lists_, false);
+  if (faces_ > 0) put_memory(in_order(b.luggage.walls), row_of, face_lists_, true);
   b.luggage = {};
 }
 
@@ -212,7 +214,7 @@ void DeviceParticles::put_memory(const KeyedContacts& contacts,
   std::vector<std::int32_t> rows;
   std::vector<std::int64_t> partners;
   std::vector<std::uint32_t> codes;
-  std::vector<double> slides, rolls;
+  std::vector<double> slides, rolls, shapes;
   for (std::size_t c = 0; c < contacts.ids.size() / 2; ++c)
     for (std::size_t side = 0; side < (of_faces ? 1u : 2u); ++side) {
       const auto found = row_of.find(contacts.ids[2 * c + side]);
@@ -224,6 +226,9 @@ void DeviceParticles::put_memory(const KeyedContacts& contacts,
       const double sign = side == 0 ? 1 : -1;
       slides.insert(slides.end(), {sign * m[0], sign * m[1], sign * m[2], m[3]});
       rolls.insert(rolls.end(), {sign * m[4], sign * m[5], sign * m[6], m[7]});
+      if (contacts.shape.empty()) continue;
+      const double* place = &contacts.shape[wall_scratch * c];
+      shapes.insert(shapes.end(), place, place + wall_scratch);
     }
   if (rows.empty()) return;
   const int none[2] = {0, 0};
@@ -231,9 +236,9 @@ void DeviceParticles::put_memory(const KeyedContacts& contacts,
   program_.run("sc_put_memory", rows.size(), group, static_cast<int>(rows.size()), static_cast<int>(of_faces),
                static_cast<int>(lists.particles), opencl::sent(device_, rows), opencl::sent(device_, partners),
                opencl::sent(device_, codes), opencl::sent(device_, slides), opencl::sent(device_, rolls),
-               columns_.at("id"), lists.counts, lists.entries, lists.slides, lists.rolls, counters_);
-  if (!of_faces && !bodies_ && counters_.values<std::int32_t>(1)[0] != 0)
-    throw std::logic_error("a contact that has come from another rank is on no list of the device");
+               opencl::sent(device_, shapes), columns_.at("id"), lists.counts, lists.entries, lists.slides, lists.rolls,
+               lists.shapes, counters_);
+  if (!of_faces) demand_none_lost();
 }
 
 /// Where what acts in a step is no number for one rank, no rank does the step.
@@ -245,39 +250,50 @@ void DeviceParticles::share_lost(int step) {
   fields_.lost().write(&lost, sizeof lost, at);
 }
 
-/// Brings copies, in the state that step number `step` has written, to that of their originals. Whether some rank has
-/// set the flag of the next step.
-bool DeviceParticles::swap_ghosts(int to, int step) {
+/// Calls visit(rows, bytes of one) for every column that copies have anew from their originals in every step, in the
+/// order of the table of Particles; motion and spin of the state `to`.
+template <class Visit>
+void DeviceParticles::for_each_travelling(int to, Visit&& visit) {
+  alike_.for_each_field([&](std::string_view name, const auto&, Travels travels, auto...) {
+    if (travels != Travels::always) return;
+    visit(name == "motion" ? motion_[to] : name == "spin" ? spin_[to] : columns_.at(name), row_bytes_.at(name));
+  });
+}
+
+/// Brings copies, in the state `to`, to that of their originals.
+void DeviceParticles::renew_copies(int to) {
   DeviceBorders& b = *borders_;
-  const auto taken_from = [&](const opencl::DeviceBuffer& from, std::size_t row, opencl::DeviceBuffer& packed) {
-    take(b.sent_rows, b.sent.size(), row * sizeof(double), from, packed);
-    return packed.values<double>(b.sent.size() * row);
-  };
-  const std::vector<double> motion = taken_from(motion_[to], motion_row, b.motion);
-  const std::vector<double> spin = taken_from(spin_[to], spin_row, b.spin);
+  std::vector<std::size_t> at(b.halo.outgoing.size(), 0);  // how far each message has got
+  for_each_travelling(to, [&](const opencl::DeviceBuffer& rows, std::size_t row_bytes) {
+    take(b.sent_rows, b.sent.size(), row_bytes, rows, b.packed);
+    const auto packed = b.packed.values<std::byte>(b.sent.size() * row_bytes);
+    auto from = packed.begin();
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      const auto bytes = static_cast<std::ptrdiff_t>(b.halo.rows[k].size() * row_bytes);
+      std::copy_n(from, bytes, b.halo.outgoing[k].bytes.begin() + static_cast<std::ptrdiff_t>(at[k]));
+      from += bytes;
+      at[k] += static_cast<std::size_t>(bytes);
+    }
+  });
+  b.ranks.swap(b.halo.outgoing, b.halo.incoming);
+  at.assign(b.halo.incoming.size(), 0);
+  for_each_travelling(to, [&](opencl::DeviceBuffer& rows, std::size_t row_bytes) {
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      const std::size_t bytes = b.halo.count[k] * row_bytes;
+      b.packed.write(b.halo.incoming[k].bytes.data() + at[k], bytes, first);
+      first += bytes;
+      at[k] += bytes;
+    }
+    put(b.ghost_rows, b.ghosts.size(), row_bytes, b.packed, rows);
+  });
+}
+
+/// Whether step number `step` has set the flag of the next one on some rank.
+bool DeviceParticles::some_rank_halts(int step) {
   std::int32_t flag = 0;
   stale_.read(&flag, sizeof flag, static_cast<std::size_t>(step + 1) * sizeof flag);
-  std::size_t first = 0;
-  for (std::size_t k = 0; k < b.halo.outgoing.size(); ++k) {
-    const std::size_t count = b.halo.rows[k].size();
-    std::byte* bytes = b.halo.outgoing[k].bytes.data();
-    std::memcpy(bytes, &motion[first * motion_row], count * motion_row * sizeof(double));
-    std::memcpy(bytes + count * motion_row * sizeof(double), &spin[first * spin_row],
-                count * spin_row * sizeof(double));
-    first += count;
-  }
-  b.ranks.swap(b.halo.outgoing, b.halo.incoming);
-  first = 0;
-  for (std::size_t k = 0; k < b.halo.incoming.size(); ++k) {
-    const std::size_t count = b.halo.count[k], bytes = count * motion_row * sizeof(double);
-    const std::byte* from = b.halo.incoming[k].bytes.data();
-    b.motion.write(from, bytes, first * motion_row * sizeof(double));
-    b.spin.write(from + bytes, count * spin_row * sizeof(double), first * spin_row * sizeof(double));
-    first += count;
-  }
-  put(b.ghost_rows, b.ghosts.size(), motion_row * sizeof(double), b.motion, motion_[to]);
-  put(b.ghost_rows, b.ghosts.size(), spin_row * sizeof(double), b.spin, spin_[to]);
-  return b.ranks.largest(flag) != 0;
+  return borders_->ranks.largest(flag) != 0;
 }
 
 }  // namespace scree

@@ -100,12 +100,46 @@ void DeviceParticles::list_pairs() {
   const int none[2] = {0, 0};
   counters_.write(none, sizeof none);
   pairs.apart.clear();
-  program_.run("sc_carry_over_pairs", old.count, group, static_cast<int>(old.count), n, place_, old.rows, old.slides,
-               old.rolls, old.shapes, old.apart, lists_.counts, lists_.entries, id, shapes.first, pairs.rows,
-               pairs.slides, pairs.rolls, pairs.shapes, pairs.apart, counters_);
+  program_.run("sc_carry_over_pairs", old.count, group, static_cast<int>(old.count), n, place_, ghost_flags(), old.rows,
+               old.slides, old.rolls, old.shapes, old.apart, lists_.counts, lists_.entries, id, shapes.first,
+               pairs.rows, pairs.slides, pairs.rolls, pairs.shapes, pairs.apart, counters_);
   demand_none_lost();
   shapes.full.clear();
   std::swap(old, pairs);
+}
+
+/// Gives the pairs of those who have come from other ranks what they remember; `row_of` says where these stand.
+void DeviceParticles::put_pairs(const KeyedContacts& contacts,
+                                const std::unordered_map<std::int64_t, std::int32_t>& row_of) {
+  std::vector<std::int32_t> rows;
+  std::vector<std::int64_t> partners;
+  std::vector<std::uint32_t> codes;
+  std::vector<double> slides, rolls, memories;
+  for (std::size_t c = 0; c < contacts.ids.size() / 2; ++c) {
+    const std::int64_t low = contacts.ids[2 * c], high = contacts.ids[2 * c + 1];
+    auto found = row_of.find(low);
+    const bool of_low = found != row_of.end();
+    if (!of_low) found = row_of.find(high);
+    if (found == row_of.end()) continue;
+    rows.push_back(found->second);
+    partners.push_back(of_low ? high : low);
+    const double *m = &contacts.memory[9 * c], *shape = &contacts.shape[pair_scratch * c];
+    codes.push_back(contact_code(true, m[8] > 0));
+    append_row(slides, m, 1);
+    append_row(rolls, m + 4, 1);
+    memories.insert(memories.end(), shape, shape + pair_scratch);
+    memories.resize(pair_memory * rows.size());
+  }
+  if (rows.empty()) return;
+  const int none[2] = {0, 0};
+  counters_.write(none, sizeof none);
+  const DevicePairs& pairs = shapes_->pairs;
+  program_.run("sc_put_pairs", rows.size(), group, static_cast<int>(rows.size()), static_cast<int>(n_),
+               opencl::sent(device_, rows), opencl::sent(device_, partners), opencl::sent(device_, codes),
+               opencl::sent(device_, slides), opencl::sent(device_, rolls), opencl::sent(device_, memories),
+               columns_.at("id"), lists_.counts, lists_.entries, shapes_->gather, pairs.rows, pairs.slides, pairs.rolls,
+               pairs.shapes, counters_);
+  demand_none_lost();
 }
 
 void DeviceParticles::make_room_for_pairs(std::size_t count) {
@@ -136,8 +170,9 @@ void DeviceParticles::launch_shapes(int number, int from, int to) {
                pairs.apart, s.looks, s.looked);
   program_.run("sc_meet_pairs", std::min(pairs.count, most_lookers), group, constants_, number, count, stale_,
                motion_[from], spin_[from], column("orientation"), column("angular_momentum"), column("inertia"),
-               column("effect_excess"), column("material"), column("form"), s.forms, laws_, pairs.rows, pairs.slides,
-               pairs.rolls, pairs.shapes, s.loads, pairs.apart, s.full, s.looks, s.looked, 2 * after_motion, found_);
+               column("effect_excess"), column("material"), column("form"), ghost_flags(), s.forms, laws_, pairs.rows,
+               pairs.slides, pairs.rolls, pairs.shapes, s.loads, pairs.apart, s.full, s.looks, s.looked,
+               2 * after_motion, found_);
   if (faces_ > 0)
     program_.run("sc_meet_faces", n_, group, constants_, number, stale_, motion_[from], spin_[from],
                  column("orientation"), column("inertia"), column("effect_excess"), column("material"), column("form"),
@@ -146,9 +181,9 @@ void DeviceParticles::launch_shapes(int number, int from, int to) {
                  after_motion, found_);
   program_.run("sc_move_bodies", n_, group, constants_, number, stale_, motion_[from], spin_[from], motion_[to],
                spin_[to], column("orientation"), column("angular_momentum"), column("inertia"), column("effect_excess"),
-               column("material"), listed_, lists_.counts, s.gather, s.full, s.loads, s.wall_loads, column("image"),
-               fields_.found(), column_or_none("stream"), column_or_none("pull"), column_or_none("before"),
-               column("loss"), column("work"), column("impulse"), column("angular_impulse"),
+               column("material"), ghost_flags(), listed_, lists_.counts, s.gather, s.full, s.loads, s.wall_loads,
+               column("image"), fields_.found(), column_or_none("stream"), column_or_none("pull"),
+               column_or_none("before"), column("loss"), column("work"), column("impulse"), column("angular_impulse"),
                column_or_none("drag_impulse"), found_);
 }
 

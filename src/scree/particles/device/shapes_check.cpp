@@ -141,6 +141,7 @@ void DeviceParticles::check_shapes(const Forms& forms) {
                              momentum = sent(all.momentum), inertia = sent(all.inertia), excess = sent(all.excess),
                              material = sent(all.material), form = sent(all.form), looked = sent(looks),
                              numbers = sent(std::vector<std::int32_t>{int{tried_pairs}, 0}),
+                             none_is_copy(device_, all.form.size() * sizeof(std::int32_t)),
                              stale(device_, 2 * sizeof(std::int32_t)), full(device_, tried_pairs),
                              loads(device_, tried_pairs * sizeof(std::array<Row, 3>)),
                              findings(device_, sizeof(sc_findings));
@@ -154,8 +155,8 @@ void DeviceParticles::check_shapes(const Forms& forms) {
   std::vector<HostPair> own(tried_pairs);
   for (int round = 0; round < 2; ++round) {
     program_.run("sc_meet_pairs", 1, group, step, 0, int{tried_pairs}, stale, motion, spin, orientation, momentum,
-                 inertia, excess, material, form, shapes_->forms, laws_, pairs.rows, pairs.slides, pairs.rolls,
-                 pairs.shapes, loads, pairs.apart, full, looked, numbers, 0, findings);
+                 inertia, excess, material, form, none_is_copy, shapes_->forms, laws_, pairs.rows, pairs.slides,
+                 pairs.rolls, pairs.shapes, loads, pairs.apart, full, looked, numbers, 0, findings);
     const auto theirs = loads.values<std::array<Row, 3>>(tried_pairs);
     const auto holds = full.values<std::uint8_t>(tried_pairs);
     for (std::size_t k = 0; k < tried_pairs; ++k) {
