@@ -1,12 +1,7 @@
 // Mixed precision on a device: positions and velocities lose nothing, contacts are in single precision. What that may
-// change is measured against the CPU; docs/decisions/0021-devices.md has the figures that the bounds come from.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include "engine_books.h"
+// change is measured against the CPU; docs/decisions/0023-mixed-precision.md has the figures that the bounds come from.
 #include "scree/particles/device/mixed_state.h"
-#include "support/device_cases.h"
-#include "support/motions.h"
+#include "support/mixed_runs.h"
 
 namespace scree {
 namespace {
@@ -17,33 +12,6 @@ const LawChoice linear{"linear", rough_laws, rough_material};
 const LawChoice hertz{"hertz", "normal = \"hertz\"\ntangential = \"mindlin\"\n", "friction = 0.5\n", true};
 const LawChoice jkr{"jkr", "normal = \"hertz\"\ntangential = \"mindlin_stretch\"\ncohesion = \"jkr\"\n",
                     "friction = 0.5\nadhesion = 0.02\n", true};
-
-/// Leaves a figure in the report that --gtest_output writes.
-void note(const std::string& name, double value) { testing::Test::RecordProperty(name, fmt::format("{:.3g}", value)); }
-
-Simulation on_cpu(const Case& c, const Archive* from = nullptr) {
-  Simulation s(c, 1, from);
-  if (from) s.restore(*from);
-  return s;
-}
-
-Simulation in_mixed(const Case& c, const Archive* from = nullptr) {
-  Simulation s = on_cpu(c, from);
-  s.use_device(first_device(), Precision::mixed);
-  return s;
-}
-
-Archive saved_after(const Case& c, int steps) {
-  Simulation s(c, 1);
-  advance(s, steps);
-  return s.save();
-}
-
-Told told_in_mixed(const Case& c, int steps) {
-  Simulation s = in_mixed(c);
-  advance(s, steps);
-  return told_by(s);
-}
 
 /// A bed of 150 spheres of 2 mm times `size` that settles on a floor. Stiffness and step go along: overlaps are the
 /// same parts of diameters, 2e-4 by the weight of one sphere with the linear law.
@@ -118,7 +86,7 @@ TEST(DeviceMixed, ItsUnitsMakeNumbersNearOne) {
     const double radius = 1e-3 * size, mass = 2000 * 4.19 * radius * radius * radius;
     EXPECT_LT(std::abs(std::log2(radius / space.length)), 1) << size;
     EXPECT_LT(std::abs(std::log2(mass / space.mass)), 1) << size;
-    EXPECT_LT(std::abs(std::log2(in_units(s.system().materials.law[0], space).stiffness)), 2) << size;
+    EXPECT_LT(std::abs(std::log2(sc_law_in_units(s.system().materials.law[0], space).stiffness)), 2) << size;
   }
 }
 
@@ -230,27 +198,6 @@ TEST(DeviceMixed, HasAllLaws) {
     EXPECT_EQ(device.tally().contacts, cpu.tally().contacts) << laws.name;
     EXPECT_GT(cpu.tally().contacts, 100) << laws.name;
   }
-}
-
-struct Books10 {
-  double energy = 0, momentum = 0, angular = 0;  // relative errors, the largest of ten looks
-  Measured last;
-};
-
-Books10 books_of(Simulation& s, int steps) {
-  Books books;
-  Books10 out;
-  for (int k = 0; k <= 10; ++k) {
-    if (k) advance(s, steps / 10);
-    out.last = s.measured();
-    if (k == 0) books = open_books(out.last);
-    enter(books, out.last);
-    const LedgerRow row = balance(books, out.last, false);
-    out.energy = std::max(out.energy, std::abs(row.relative_energy_error()));
-    out.momentum = std::max(out.momentum, row.relative_momentum_error);
-    out.angular = std::max(out.angular, row.angular_momentum_error / norm(out.last.angular_momentum));
-  }
-  return out;
 }
 
 TEST(DeviceMixed, ClosesTheBooks) {

@@ -145,7 +145,6 @@ TEST(DeviceShapes, AreRefusedOnTheDevicesOfSeveralProcesses) {
               std::string::npos)
         << error.what();
   }
-  EXPECT_THROW(refuse_in_mixed(case_of(periodic(rough))), InputError);
 }
 
 }  // namespace

@@ -97,7 +97,6 @@ void refuse_in_mixed(const Case& c, bool several) {
         c, key, {"E193", {}, what + " not there yet in mixed precision", "", "--precision double has it on a device"});
   };
   if (several) lacks("simulation.end", "runs of several processes are");
-  if (has_shapes(c)) lacks(key_of_shape(c), "particles that are no spheres are");
   for (std::size_t k = 0; k < c.particles.size(); ++k)
     if (c.particles[k].insert == "rate")
       lacks(fmt::format("particles.{}.insert", k), "particles that come in while the run goes on are");

@@ -34,9 +34,12 @@ std::string options_for(const ParticleSystem& s, const Fields& fields, bool pres
 
 /// Kernels of shapes take a device's compiler longer than all others, so that only who needs them has them.
 std::string text_for(Precision precision, const Fields& fields, bool shaped) {
-  const std::string text =
-      DeviceFields::formulas(fields) + opencl::kernel_text + (shaped ? opencl::shape_kernel_text : "");
-  return precision == Precision::full ? text : opencl::single_text + text + opencl::mixed_text;
+  const bool mixed = precision == Precision::mixed;
+  const std::string text = (mixed ? opencl::single_text : "") + DeviceFields::formulas(fields) + opencl::kernel_text +
+                           (mixed ? opencl::mixed_text : "");
+  if (!shaped) return text;
+  return text + opencl::bodies_text + (mixed ? opencl::mixed_bodies_text : opencl::full_bodies_text) +
+         opencl::shape_kernel_text;
 }
 
 }  // namespace
@@ -64,7 +67,10 @@ DeviceParticles::DeviceParticles(const opencl::Device& device, Precision precisi
   constants_.max_overlap = max_overlap;
   wraps_ = s.domain.periodic;
   laws_ = opencl::sent(device_, s.materials.law);
-  if (precision == Precision::mixed) mixed_.emplace(device_, s, range_ + 2 * std::max(skin_, longest_skin_));
+  if (precision == Precision::mixed) {
+    mixed_.emplace(fixed_space_of(s, range_ + 2 * std::max(skin_, longest_skin_)));
+    mixed_->send_laws(device_, s.materials);
+  }
   if (s.particles.shaped()) send_shapes(s);
   check_kernels();
   if (shapes_) check_shapes(s.forms);
@@ -101,14 +107,14 @@ DeviceParticles::Lists DeviceParticles::make_room(std::size_t particles, int roo
           {device_, remembers == Remembers::laws_and_places ? 2 * memory : 0}};
 }
 
-std::optional<MemoryUnits> DeviceParticles::slide_units(const Lists& lists) const {
-  if (lists.remembers != Remembers::laws_in_single) return {};
+std::optional<MemoryUnits> DeviceParticles::slide_units(Remembers remembers) const {
+  if (remembers != Remembers::laws_in_single) return {};
   return mixed_->slide_units();
 }
 
 /// Angles have none.
-std::optional<MemoryUnits> DeviceParticles::roll_units(const Lists& lists) const {
-  if (lists.remembers != Remembers::laws_in_single) return {};
+std::optional<MemoryUnits> DeviceParticles::roll_units(Remembers remembers) const {
+  if (remembers != Remembers::laws_in_single) return {};
   return MemoryUnits{};
 }
 
@@ -129,7 +135,7 @@ void DeviceParticles::send_particles(const Particles& particles) {
     column(name).write(values.values.data(), n_ * row_bytes_.at(name));
   });
   if (borders_) put_words(borders_->ghosts, 1, columns_.at(ghost_column));
-  if (mixed_) mixed_->take(program_, now_, column("motion"), column("spin"), column("effect_excess"));
+  if (mixed_) mixed_->take(program_, now_, 0, n_, column("motion"), column("spin"), column("effect_excess"));
   stale_ = opencl::DeviceBuffer(device_, (most_given + 1) * sizeof(std::int32_t));
   counters_ = opencl::DeviceBuffer(device_, 2 * sizeof(std::int32_t));
 }

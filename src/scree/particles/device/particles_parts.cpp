@@ -120,8 +120,9 @@ void DeviceParticles::for_each_acting(const Lists& lists, Visit&& visit) const {
     std::vector<std::uint32_t> entry(n);
     lists.entries.read(entry.data(), n * sizeof(std::uint32_t),
                        static_cast<std::size_t>(k) * n * sizeof(std::uint32_t));
-    const auto slide = read_slot(k, lists.slides, slide_units(lists)),
-               roll = read_slot(k, lists.rolls, roll_units(lists)), shape = read_wide(k, lists.shapes, wall_scratch),
+    const auto slide = read_slot(k, lists.slides, slide_units(lists.remembers)),
+               roll = read_slot(k, lists.rolls, roll_units(lists.remembers)),
+               shape = read_wide(k, lists.shapes, wall_scratch),
                place = &lists == &face_lists_ && shapes_ ? read_wide(k, shapes_->places, 12) : std::vector<double>();
     for (std::size_t i = 0; i < n; ++i)
       if (k < count[i] && entry[i] >> SC_CODE_SHIFT != 0)
@@ -175,9 +176,10 @@ template <class IdOf>
 KeyedContacts DeviceParticles::remembered_by(const std::vector<ActingPair>& acting, IdOf&& id_of) const {
   const DevicePairs& pairs = shapes_->pairs;
   KeyedContacts out;
-  const auto slides = pairs.slides.values<double>(4 * pairs.count);
-  const auto rolls = pairs.rolls.values<double>(rolls_ ? 4 * pairs.count : 0);
-  const auto shapes = pairs.shapes.values<double>(pair_memory * pairs.count);
+  const auto units = slide_units(pairs_remember()), none = roll_units(pairs_remember());
+  const std::vector<double> slides = read_memory(pairs.slides, 0, pairs.count, units);
+  const std::vector<double> rolls = read_memory(pairs.rolls, 0, rolls_ ? pairs.count : 0, none);
+  const std::vector<double> shapes = read_memory(pairs.shapes, 0, pair_memory / 4 * pairs.count, none);
   for (const ActingPair& pair : acting) {
     const std::size_t c = pair.number;
     remember(out, id_of(pair.rows[0]), id_of(pair.rows[1]), &slides[4 * c], rolls_ ? &rolls[4 * c] : nullptr,
@@ -188,7 +190,7 @@ KeyedContacts DeviceParticles::remembered_by(const std::vector<ActingPair>& acti
 }
 
 void DeviceParticles::bring_back(ParticleSystem& system) {
-  if (mixed_) mixed_->give(program_, now_, column("motion"), column("spin"));
+  if (mixed_) mixed_->give(program_, now_, n_, column("motion"), column("spin"));
   Particles& p = system.particles;
   p.resize(n_);
   p.for_each_field([&](std::string_view name, auto& values, auto...) {

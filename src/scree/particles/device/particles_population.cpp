@@ -24,7 +24,10 @@ void DeviceParticles::reserve(std::size_t rows) {
     grow(spin_[k], row_bytes_.at("spin"));
   }
   for (opencl::DeviceBuffer* places : {&cell_of_, &order_, &place_, &gone_}) grow(*places, sizeof(std::int32_t));
-  if (!mixed_) grow(listed_, 4 * sizeof(double));
+  if (mixed_)
+    mixed_->for_each_buffer(grow);
+  else
+    grow(listed_, 4 * sizeof(double));
   if (planes_) grow(planes_->passed, planes_->row_bytes());
   make_scratch(widest);
   found_ = opencl::DeviceBuffer(device_, finding_groups() * sizeof(sc_findings));
