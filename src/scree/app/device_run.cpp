@@ -6,7 +6,6 @@
 #include <charconv>
 
 #include "scree/app/build.h"
-#include "scree/app/build_forces.h"
 #include "scree/app/guard.h"
 #include "scree/base/error.h"
 #include "scree/input/located.h"
@@ -98,23 +97,9 @@ void refuse_in_mixed(const Case& c, bool several) {
   };
   if (several) lacks("simulation.end", "runs of several processes are");
   for (std::size_t k = 0; k < c.particles.size(); ++k)
-    if (c.particles[k].insert == "rate")
-      lacks(fmt::format("particles.{}.insert", k), "particles that come in while the run goes on are");
-  for (std::size_t k = 0; k < c.particles.size(); ++k)
     if (c.particles[k].motion == "prescribed")
       lacks(fmt::format("particles.{}.motion", k), "bodies that move as prescribed are");
-  if (!c.outlets.empty()) lacks("outlets.0.type", "outlets are");
-  if (c.gravity.type != "none" && c.gravity.type != "uniform")
-    lacks("gravity.type", "body forces other than uniform gravity are");
-  if (solves_flow(c)) lacks("fluid.type", "flows that are solved for are");
-  if (c.flow.type == "expression") lacks("flow.type", "flows by formula are");
-  if (c.flow.buoyancy) lacks("flow.buoyancy", "buoyancy is");
-  if (c.flow.drag != "none" && c.flow.drag != "stokes" && c.flow.drag != "schiller_naumann")
-    lacks("flow.drag", "drag by shape is");
   if (!c.analysis.planes.empty()) lacks("analysis.planes.0.point", "counting planes are");
-  const FluidForces forces = build_forces(c.flow.drag, c.flow);
-  if (forces.push() || forces.turn() || c.flow.pressure_force)
-    lacks("flow.type", "forces of a flow besides the drag of spheres are");
 }
 
 void refuse_on_device(const Case& c, bool several) {

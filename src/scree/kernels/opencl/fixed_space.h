@@ -20,7 +20,7 @@ typedef struct {
   unsigned int scale[3];    // a step of what others read over a tick, times 2^31
   int turn[3];
   int periodic[3];
-  int unused;  // keeps what follows aligned
+  int open;  // faces through which particles may leave: 1 << axis the lower one, 8 << axis the upper one
 } sc_fixed_space;
 
 /// The constants of a pair of materials in these units.

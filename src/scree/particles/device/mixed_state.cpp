@@ -51,7 +51,9 @@ sc_fixed_space fixed_space_of(const Domain& domain, double reach, const sc_fixed
   sc_fixed_space out = units;
   double widest = 2 * reach;  // what ticks have to measure with 32 bits
   double step[3];
+  out.open = 0;
   for (int k = 0; k < 3; ++k) {
+    out.open |= (domain.open[k][0] ? 1 << k : 0) | (domain.open[k][1] ? 8 << k : 0);
     const double length = domain.length(k);
     out.periodic[k] = domain.periodic[k];
     out.span[k] = out.periodic[k] ? length : 2 * length;
@@ -101,10 +103,10 @@ void MixedState::for_each_buffer(const std::function<void(opencl::DeviceBuffer&,
   for (opencl::DeviceBuffer* rows : {&near[1], &speed[1], &spin[1], &listed}) visit(*rows, 4 * word);
 }
 
-void MixedState::send_laws(const opencl::Device& device, const Materials& materials) {
+void MixedState::send_laws(const opencl::Device& device, const Materials& materials, const sc_fixed_space& units) {
   std::vector<float> numbers;
   for (const sc_pair_law& law : materials.law) {
-    const std::vector<float> own = narrowed(sc_law_in_units(law, space));
+    const std::vector<float> own = narrowed(sc_law_in_units(law, units));
     numbers.insert(numbers.end(), own.begin(), own.end());
   }
   laws = opencl::sent(device, numbers);
@@ -115,6 +117,18 @@ void MixedState::take(opencl::Program& program, int now, std::size_t first, std:
                       const opencl::DeviceBuffer& excess) {
   program.run("sc_narrow_state", count, group, static_cast<int>(first), static_cast<int>(count), space, motion, spins,
               excess, near[now], speed[now], spin[now], rest_places, rest_speeds, rest_spins, excess_of);
+}
+
+void MixedState::take_speeds(opencl::Program& program, int now, int step, const opencl::DeviceBuffer& stale,
+                             std::size_t count, const opencl::DeviceBuffer& motion, const opencl::DeviceBuffer& spins) {
+  program.run("sc_narrow_speeds", count, group, step, stale, static_cast<int>(count), space, motion, spins, speed[now],
+              spin[now], rest_places, rest_speeds, rest_spins);
+}
+
+void MixedState::move_to(const sc_fixed_space& other, opencl::Program& program, int now, std::size_t count,
+                         const opencl::DeviceBuffer& motion) {
+  program.run("sc_change_windows", count, group, static_cast<int>(count), space, other, motion, near[now], rest_places);
+  space = other;
 }
 
 void MixedState::give(opencl::Program& program, int now, std::size_t count, const opencl::DeviceBuffer& motion,

@@ -55,11 +55,19 @@ struct MixedState {
   void for_each_buffer(const std::function<void(opencl::DeviceBuffer&, std::size_t)>& visit);
 
   /// Sends what contacts of materials go by.
-  void send_laws(const opencl::Device& device, const Materials& materials);
+  void send_laws(const opencl::Device& device, const Materials& materials, const sc_fixed_space& units);
 
   /// Takes `count` particles from their rows in double, the first of them `first`.
   void take(opencl::Program& program, int now, std::size_t first, std::size_t count, const opencl::DeviceBuffer& motion,
             const opencl::DeviceBuffer& spin, const opencl::DeviceBuffer& excess);
+
+  /// Takes velocities and spins alone, of the first `count`, if step number `step` is done.
+  void take_speeds(opencl::Program& program, int now, int step, const opencl::DeviceBuffer& stale, std::size_t count,
+                   const opencl::DeviceBuffer& motion, const opencl::DeviceBuffer& spin);
+
+  /// Keeps the places of the first `count` in another space of the same domain, with the same units.
+  void move_to(const sc_fixed_space& other, opencl::Program& program, int now, std::size_t count,
+               const opencl::DeviceBuffer& motion);
 
   /// Gives positions, velocities and spins of the first `count` to the rows in double.
   void give(opencl::Program& program, int now, std::size_t count, const opencl::DeviceBuffer& motion,

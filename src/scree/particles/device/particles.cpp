@@ -68,8 +68,8 @@ DeviceParticles::DeviceParticles(const opencl::Device& device, Precision precisi
   wraps_ = s.domain.periodic;
   laws_ = opencl::sent(device_, s.materials.law);
   if (precision == Precision::mixed) {
-    mixed_.emplace(fixed_space_of(s, range_ + 2 * std::max(skin_, longest_skin_)));
-    mixed_->send_laws(device_, s.materials);
+    mixed_.emplace(fixed_space_of(s, farthest()));
+    mixed_->send_laws(device_, s.materials, mixed_->space);
   }
   if (s.particles.shaped()) send_shapes(s);
   check_kernels();
@@ -161,7 +161,9 @@ void DeviceParticles::send_poses() {
 void DeviceParticles::meet_fields(int number, int from) {
   if (!fields_.apart()) return;
   fields_.make_room(device_, n_);
-  program_.run("sc_meet_fields", n_, group, constants_, number, stale_, fields_.lost(), motion_[from], spin_[from],
+  if (mixed_) mixed_->give(program_, from, n_, motion_[0], spin_[0]);
+  const int rows = mixed_ ? 0 : from;
+  program_.run("sc_meet_fields", n_, group, constants_, number, stale_, fields_.lost(), motion_[rows], spin_[rows],
                column_or_none("orientation"), column_or_none("inertia"), column_or_none("form"),
                column_or_none("stream"), column_or_none("pull"), column_or_none("before"), fields_.shapes(),
                fields_.tables(), fields_.found());
@@ -170,11 +172,12 @@ void DeviceParticles::meet_fields(int number, int from) {
     program_.run("sc_halt_where_lost", 1, 1, number, fields_.lost(), stale_);
   }
   if (!fields_.turns()) return;
-  program_.run("sc_turn_particles", n_, group, constants_, number, stale_, motion_[from], spin_[from],
+  program_.run("sc_turn_particles", n_, group, constants_, number, stale_, motion_[rows], spin_[rows],
                column_or_none("orientation"), column_or_none("inertia"), column_or_none("form"),
                column_or_none("stream"), column_or_none("pull"), column_or_none("before"), column_or_none("gradient"),
                fields_.shapes(), fields_.tables(), column_or_none("angular_momentum"), columns_.at("work"),
                columns_.at("angular_impulse"));
+  if (mixed_) mixed_->take_speeds(program_, from, number, stale_, n_, motion_[0], spin_[0]);
 }
 
 /// Step number `number` since the steps were last settled.

@@ -99,7 +99,7 @@ class DeviceParticles {
 
   /// Brings the columns of these names back, of those that `to` has, into rows as they stand on the device now; or puts
   /// them there. All steps must be settled.
-  void read_columns(std::span<const std::string_view> names, Particles& to) const;
+  void read_columns(std::span<const std::string_view> names, Particles& to);
   void write_columns(std::span<const std::string_view> names, const Particles& from);
 
   /// What acts at each particle in the step that was not done because of it, in the order of ids.
@@ -203,6 +203,9 @@ class DeviceParticles {
   std::vector<std::int32_t> rows_in(const std::vector<sc_region>& regions);
   void put_rows(const std::vector<std::int32_t>& rows, const Particles& values);
   void append(const Particles& fresh);
+  void widen_state(std::size_t count);
+  double farthest() const;
+  void fit_space(const ParticleSystem& system);
   void reach_as_far_as(const ParticleSystem& system, const Sizes& sizes);
   void dismiss(const std::vector<std::int32_t>& rows);
   void put_words(const std::vector<std::int32_t>& rows, std::int32_t word, opencl::DeviceBuffer& to);

@@ -84,7 +84,7 @@ void DeviceParticles::permute_state(std::size_t count) {
 /// Puts those who are there from now on in the order of their cells; those who are gone get no place.
 void DeviceParticles::sort_particles() {
   fit_cells();
-  if (mixed_) mixed_->give(program_, now_, n_ + come_, column("motion"), column("spin"));
+  widen_state(n_ + come_);
   const std::size_t held = n_ + come_, stay = held - gone_count_;
   const int n = static_cast<int>(held), cells = cells_.count[0] * cells_.count[1] * cells_.count[2];
   const std::size_t bytes = (static_cast<std::size_t>(cells) + 1) * sizeof(std::int32_t);

@@ -69,7 +69,13 @@ const opencl::DeviceBuffer& DeviceParticles::column_or_none(std::string_view nam
   return row_bytes_.contains(name) ? column(name) : none;
 }
 
-void DeviceParticles::read_columns(std::span<const std::string_view> names, Particles& to) const {
+/// In mixed precision, brings the rows in double of the first `count` to the present state.
+void DeviceParticles::widen_state(std::size_t count) {
+  if (mixed_) mixed_->give(program_, now_, count, column("motion"), column("spin"));
+}
+
+void DeviceParticles::read_columns(std::span<const std::string_view> names, Particles& to) {
+  widen_state(n_);
   to.resize(n_);
   to.for_each_field([&](std::string_view name, auto& values, auto...) {
     if (std::ranges::find(names, name) != names.end())
@@ -190,7 +196,7 @@ KeyedContacts DeviceParticles::remembered_by(const std::vector<ActingPair>& acti
 }
 
 void DeviceParticles::bring_back(ParticleSystem& system) {
-  if (mixed_) mixed_->give(program_, now_, n_, column("motion"), column("spin"));
+  widen_state(n_);
   Particles& p = system.particles;
   p.resize(n_);
   p.for_each_field([&](std::string_view name, auto& values, auto...) {
@@ -241,9 +247,10 @@ std::vector<std::int32_t> DeviceParticles::found_rows() {
 DeviceParticles::Lists DeviceParticles::taken(const Lists& lists, const std::vector<std::int32_t>& rows) {
   Lists out = make_room(rows.size(), lists.room, lists.remembers);
   if (rows.empty()) return out;
-  program_.run("sc_take_lists", rows.size(), group, static_cast<int>(rows.size()), opencl::sent(device_, rows),
-               static_cast<int>(lists.particles), lists.counts, lists.entries, lists.slides, lists.rolls, lists.shapes,
-               out.counts, out.entries, out.slides, out.rolls, out.shapes);
+  const bool single = lists.remembers == Remembers::laws_in_single;
+  program_.run(single ? "sf_take_lists" : "sc_take_lists", rows.size(), group, static_cast<int>(rows.size()),
+               opencl::sent(device_, rows), static_cast<int>(lists.particles), lists.counts, lists.entries,
+               lists.slides, lists.rolls, lists.shapes, out.counts, out.entries, out.slides, out.rolls, out.shapes);
   return out;
 }
 
@@ -301,6 +308,7 @@ std::vector<std::int64_t> DeviceParticles::ids_at(const std::vector<std::int32_t
 }
 
 PartOfDevice DeviceParticles::part_in(const std::vector<sc_region>& regions, const ParticleSystem& system) {
+  widen_state(n_);
   const std::vector<std::int32_t> asked = rows_in(regions);
   const ContactsOfSome some = contacts_of(asked, ids_at(asked));
   std::vector<std::int32_t> rows = asked;
