@@ -142,12 +142,18 @@ class Devices(unittest.TestCase):
         (self.work / "flow.toml").write_text(CROWD + FLOW)
         self.expect_the_same("flow.toml")
 
-    def test_kernels_in_mixed_precision_do_not_either(self):
-        alone, device = (self.run_on("cpu", "crowd.toml"), self.run_on("opencl:0", "crowd.toml", "--precision", "mixed"))
+    def expect_the_same_contacts_in_mixed_precision(self, case):
+        alone, device = (self.run_on("cpu", case), self.run_on("opencl:0", case, "--precision", "mixed"))
         for key in ("contacts", "wall_contacts"):
             self.assertEqual(device[key], alone[key], key)
         self.assertEqual((alone["device"], alone["precision"], device["precision"]), ("cpu", "double", "mixed"))
         self.assertIn("Oclgrind", device["device"])
+
+    def test_kernels_in_mixed_precision_do_not_either(self):
+        self.expect_the_same_contacts_in_mixed_precision("crowd.toml")
+
+    def test_nor_do_those_of_shapes_in_mixed_precision(self):
+        self.expect_the_same_contacts_in_mixed_precision("bodies.toml")
 
     def test_nor_do_those_of_shapes(self):
         self.assertGreater(self.expect_the_same("bodies.toml", 10)["wall_contacts"], 0)

@@ -59,6 +59,7 @@ for text in state gathered partners faces fields spheres prescribed planes sort 
   echo "#include \"scree/kernels/opencl/$text.cl\"" >> "$kernels/double.cl"
 done
 check "text in mixed precision" cmake -D SOURCE="$source" -D OUTPUT="$kernels/mixed.cl" -P "$source/../tools/embed_kernels.cmake"
+check "text of shapes in mixed precision" cmake -D SOURCE="$source" -D OUTPUT="$kernels/all.mixed_shapes.cl" -P "$source/../tools/embed_kernels.cmake"
 check "text of shapes" cmake -D SOURCE="$source" -D OUTPUT="$kernels/all.shapes.cl" -P "$source/../tools/embed_kernels.cmake"
 for target in spir64 nvptx64; do
   for fields in "$everything" "$solved" "$turned"; do
@@ -66,10 +67,11 @@ for target in spir64 nvptx64; do
   done
   for fields in "$everything" "$solved" "$turned"; do
     check "kernels of shapes for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=1 $laws -USC_SHAPED -DSC_SHAPED=1 $fields $formulas "$kernels/all.shapes.cl"
+    check "kernels of shapes in mixed precision for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=0 $laws -USC_SHAPED -DSC_SHAPED=1 -USF_SHAPED -DSF_SHAPED=1 $fields $formulas "$kernels/all.mixed_shapes.cl"
   done
   check "kernels in mixed precision for $target" "$clang" $opencl -target $target -DSC_SEVERAL_RANKS=0 $laws $solved $formulas "$kernels/mixed.cl"
 done
-for text in fixed_point gathered partners carry try_law; do
+for text in fixed_point gathered partners pair_contacts carry try_law; do
   echo "#include \"scree/kernels/opencl/$text.cl\"" >> "$kernels/single.cl"
 done
 check "kernels in single precision" "$clang" $opencl -DSCREE_FLOAT -Wdouble-promotion $laws -I"$source" "$kernels/single.cl"

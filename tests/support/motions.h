@@ -17,7 +17,7 @@ enum : std::size_t { place = 0, velocity = 3, rim = 6 };
 inline std::vector<Motion> motions(Simulation& s) {
   const Particles& p = s.whole().particles;
   std::vector<Motion> out;
-  for (const std::size_t i : rows_by_id(p)) {
+  for (const std::uint32_t i : order_by_id(p)) {
     const double *m = p.motion.row(i), *spin = p.spin.row(i);
     out.push_back(
         {m[lane::x], m[lane::y], m[lane::z], m[lane::vx], m[lane::vy], m[lane::vz], spin[0], spin[1], spin[2]});

@@ -136,7 +136,5 @@ TEST(DeviceShapes, AreRefusedWhereVerticesFindTheirContacts) {
   }
 }
 
-TEST(DeviceShapes, AreRefusedInMixedPrecision) { EXPECT_THROW(refuse_in_mixed(case_of(periodic(rough))), InputError); }
-
 }  // namespace
 }  // namespace scree

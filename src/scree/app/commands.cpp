@@ -170,7 +170,7 @@ Command declare_bench(CLI::App& app, const RanksOfRun& processes) {
   c->add_option("--set", options->set, "change a key of the scenes: --set contact.detection=vertices (may be repeated)")
       ->allow_extra_args(false);
   c->add_option("--device", options->device, "gpu-spheres, gpu-shapes, gpu-vortex: opencl, opencl:NUMBER [opencl]");
-  c->add_option("--precision", options->precision, "gpu-spheres, gpu-vortex: double, mixed [double]");
+  c->add_option("--precision", options->precision, "gpu-spheres, gpu-shapes, gpu-vortex: double, mixed [double]");
   c->add_option("--json", options->json, "also write the figures to this file");
   c->add_option("--packings", options->packings, "directory of the particle tables [the user's cache]");
   c->add_option("--plot", options->plot, "linear: draw run time over particles into this PNG");

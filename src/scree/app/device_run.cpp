@@ -6,7 +6,6 @@
 #include <charconv>
 
 #include "scree/app/build.h"
-#include "scree/app/build_forces.h"
 #include "scree/app/guard.h"
 #include "scree/base/error.h"
 #include "scree/input/located.h"
@@ -25,13 +24,6 @@ std::string known_devices(const std::vector<opencl::DeviceInfo>& all) {
 [[noreturn]] void refuse(const Case& c, const std::string& key, const std::string& what) {
   throw error_at(c, key,
                  {"E193", {}, what + " not there yet on devices", "", "run the case without --device: the CPU has it"});
-}
-
-/// The key of the first group of particles that are no spheres.
-std::string key_of_shape(const Case& c) {
-  std::size_t k = 0;
-  while (c.particles[k].shape == "sphere") ++k;
-  return fmt::format("particles.{}.shape", k);
 }
 
 /// Refuses a formula with a function that kernels do not have.
@@ -84,25 +76,10 @@ void refuse_in_mixed(const Case& c, bool several) {
         c, key, {"E193", {}, what + " not there yet in mixed precision", "", "--precision double has it on a device"});
   };
   if (several) lacks("simulation.end", "runs of several processes are");
-  if (has_shapes(c)) lacks(key_of_shape(c), "particles that are no spheres are");
-  for (std::size_t k = 0; k < c.particles.size(); ++k)
-    if (c.particles[k].insert == "rate")
-      lacks(fmt::format("particles.{}.insert", k), "particles that come in while the run goes on are");
   for (std::size_t k = 0; k < c.particles.size(); ++k)
     if (c.particles[k].motion == "prescribed")
       lacks(fmt::format("particles.{}.motion", k), "bodies that move as prescribed are");
-  if (!c.outlets.empty()) lacks("outlets.0.type", "outlets are");
-  if (c.gravity.type != "none" && c.gravity.type != "uniform")
-    lacks("gravity.type", "body forces other than uniform gravity are");
-  if (solves_flow(c)) lacks("fluid.type", "flows that are solved for are");
-  if (c.flow.type == "expression") lacks("flow.type", "flows by formula are");
-  if (c.flow.buoyancy) lacks("flow.buoyancy", "buoyancy is");
-  if (c.flow.drag != "none" && c.flow.drag != "stokes" && c.flow.drag != "schiller_naumann")
-    lacks("flow.drag", "drag by shape is");
   if (!c.analysis.planes.empty()) lacks("analysis.planes.0.point", "counting planes are");
-  const FluidForces forces = build_forces(c.flow.drag, c.flow);
-  if (forces.push() || forces.turn() || c.flow.pressure_force)
-    lacks("flow.type", "forces of a flow besides the drag of spheres are");
 }
 
 void refuse_on_device(const Case& c) {

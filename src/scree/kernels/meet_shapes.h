@@ -2,6 +2,7 @@
 #ifndef SCREE_KERNELS_MEET_SHAPES_H
 #define SCREE_KERNELS_MEET_SHAPES_H
 
+#include "scree/kernels/pair_loads.h"
 #include "scree/physics/touch/shape_contact.h"
 
 /// A contact ready for the laws.
@@ -12,11 +13,6 @@ typedef struct {
   int in_reach;            // it may act
   sc_shape_memory memory;  // if it goes on
 } sc_shape_meeting;
-
-/// What a contact does to its bodies: the force on A, its opposite acts on B, and the torque on each.
-typedef struct {
-  sc_vec force, torque_a, torque_b;
-} sc_shape_loads;
 
 /// How far two bodies are apart at least [m], by the direction that the search has found; 0 where they overlap.
 SC_FN real sc_gap_as_found(sc_body_shape first, sc_body_shape second, sc_vec branch, sc_shape_touch found) {
@@ -48,14 +44,6 @@ SC_FN sc_shape_meeting sc_meet_as_spheres(sc_vec branch, real radius_a, real rad
   m.law = law;
   m.excess = excess;
   return m;
-}
-
-SC_FN sc_shape_loads sc_loads_of(sc_contact_place place, sc_contact_action action) {
-  sc_shape_loads out;
-  out.force = sc_add(action.normal_force, action.tangential_force);
-  out.torque_a = sc_add(sc_cross(place.arm_a, out.force), action.couple);
-  out.torque_b = sc_scale(R(-1), sc_add(sc_cross(place.arm_b, out.force), action.couple));
-  return out;
 }
 
 #endif

@@ -4,7 +4,8 @@
 
 #include "scree/physics/vec.h"
 
-/// What the formulas say of a step: velocity at its start, velocity that takes the body on, and the one it has afterwards.
+/// What the formulas say of a step: velocity at its start, velocity that takes the body on, and the one it has
+/// afterwards.
 typedef struct {
   sc_vec now, drift, after;  // [m/s]
 } sc_prescribed;

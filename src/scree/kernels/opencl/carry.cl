@@ -34,6 +34,24 @@ __kernel void sc_carry_over(const int n, const int n_before, const int of_faces,
   }
 }
 
+/// Copies the lists of some particles, named by `rows`, into lists of these alone.
+__kernel void sc_take_lists(const int count, __global const int* rows, const int n, __global const int* counts,
+                            __global const uint* entries, __global const real4* slides, __global const real4* rolls,
+                            __global const real4* shapes, __global int* part_counts, __global uint* part_entries,
+                            __global real4* part_slides, __global real4* part_rolls, __global real4* part_shapes) {
+  const size_t i = get_global_id(0);
+  if (i >= (size_t)count) return;
+  const size_t row = (size_t)rows[i];
+  part_counts[i] = counts[row];
+  for (int k = 0; k < counts[row]; ++k) {
+    const size_t from = (size_t)k * (size_t)n + row, to = (size_t)k * (size_t)count + i;
+    part_entries[to] = entries[from];
+    part_slides[to] = slides[from];
+    if (SC_ROLLS) part_rolls[to] = rolls[from];
+    for (size_t l = 0; SC_SHAPED && l < 2; ++l) part_shapes[2 * to + l] = shapes[2 * from + l];
+  }
+}
+
 /// Puts what contacts remember that have come with particles from elsewhere, `count` of them, into the lists of the particle
 /// in each row; `partner` is the id of the other, or the face. Contacts of one particle with one face, which follow each other,
 /// take its places in turn.

@@ -11,7 +11,7 @@
 #ifndef SCREE_KERNELS_OPENCL_FIXED_SPACE_H
 #define SCREE_KERNELS_OPENCL_FIXED_SPACE_H
 
-#include "scree/physics/device.h"
+#include "scree/physics/contact/contact.h"
 
 typedef struct {
   real low[3], span[3];     // of all numbers of an axis [m]
@@ -20,7 +20,20 @@ typedef struct {
   unsigned int scale[3];    // a step of what others read over a tick, times 2^31
   int turn[3];
   int periodic[3];
-  int unused;  // keeps what follows aligned
+  int open;  // faces through which particles may leave: 1 << axis the lower one, 8 << axis the upper one
 } sc_fixed_space;
+
+/// The constants of a pair of materials in these units.
+SC_FN sc_pair_law sc_law_in_units(sc_pair_law law, sc_fixed_space units) {
+  const real stiffness = units.mass / (units.time * units.time), modulus = stiffness / units.length;
+  sc_pair_law out = law;
+  out.stiffness = law.stiffness / stiffness;
+  out.tangential_stiffness = law.tangential_stiffness / stiffness;
+  out.cohesion_stiffness = law.cohesion_stiffness / stiffness;
+  out.adhesion = law.adhesion / stiffness;
+  out.young = law.young / modulus;
+  out.shear = law.shear / modulus;
+  return out;
+}
 
 #endif

@@ -99,24 +99,6 @@ __kernel void sc_find_faces(const sc_counts sizes, const real skin, __global con
   atomic_max(most, count);
 }
 
-/// Copies the lists of some particles, named by `rows`, into lists of these alone.
-__kernel void sc_take_lists(const int count, __global const int* rows, const int n, __global const int* counts,
-                            __global const uint* entries, __global const double4* slides, __global const double4* rolls,
-                            __global const double4* shapes, __global int* part_counts, __global uint* part_entries,
-                            __global double4* part_slides, __global double4* part_rolls, __global double4* part_shapes) {
-  const size_t i = get_global_id(0);
-  if (i >= (size_t)count) return;
-  const size_t row = (size_t)rows[i];
-  part_counts[i] = counts[row];
-  for (int k = 0; k < counts[row]; ++k) {
-    const size_t from = (size_t)k * (size_t)n + row, to = (size_t)k * (size_t)count + i;
-    part_entries[to] = entries[from];
-    part_slides[to] = slides[from];
-    if (SC_ROLLS) part_rolls[to] = rolls[from];
-    for (size_t l = 0; SC_SHAPED && l < 2; ++l) part_shapes[2 * to + l] = shapes[2 * from + l];
-  }
-}
-
 /// Notes where everybody is when lists are made.
 __kernel void sc_note_places(const int n, __global const double4* motion, __global double4* listed) {
   const size_t i = get_global_id(0);

@@ -53,12 +53,12 @@ __kernel void sc_number_pairs(const int n, __global const int* counts, __global 
 /// where each particle has gone, -1 if he is here no more. A contact that is no pair any more is noted in `lost`, but for
 /// those of which both partners have become copies of others' particles.
 __kernel void sc_carry_over_pairs(const int old_count, const int n, __global const int* place, __global const int* ghost,
-                                  __global const uint2* old_pairs, __global const double4* old_slides,
-                                  __global const double4* old_rolls, __global const double4* old_shapes,
+                                  __global const uint2* old_pairs, __global const sc_pair_row* old_slides,
+                                  __global const sc_pair_row* old_rolls, __global const sc_pair_row* old_shapes,
                                   __global const double* old_apart, __global const int* counts,
                                   __global const uint* entries, __global const long* id, __global const int* first,
-                                  __global uint2* pairs, __global double4* slides, __global double4* rolls,
-                                  __global double4* shapes, __global double* apart, __global int* lost) {
+                                  __global uint2* pairs, __global sc_pair_row* slides, __global sc_pair_row* rolls,
+                                  __global sc_pair_row* shapes, __global double* apart, __global int* lost) {
   const size_t from = get_global_id(0);
   if (from >= (size_t)old_count) return;
   const uint2 pair = old_pairs[from];
@@ -84,11 +84,11 @@ __kernel void sc_carry_over_pairs(const int old_count, const int n, __global con
 /// Puts what `count` contacts remember that have come with bodies from elsewhere to the numbers of their pairs; `rows` names a
 /// body of each, `partner` the id of the other.
 __kernel void sc_put_pairs(const int count, const int n, __global const int* rows, __global const long* partner,
-                           __global const uint* code, __global const double4* slide, __global const double4* roll,
-                           __global const double4* shape, __global const long* id, __global const int* counts,
-                           __global const uint* entries, __global const uint* gather, __global uint2* pairs,
-                           __global double4* slides, __global double4* rolls, __global double4* shapes,
-                           __global int* lost) {
+                           __global const uint* code, __global const sc_pair_row* slide,
+                           __global const sc_pair_row* roll, __global const sc_pair_row* shape, __global const long* id,
+                           __global const int* counts, __global const uint* entries, __global const uint* gather,
+                           __global uint2* pairs, __global sc_pair_row* slides, __global sc_pair_row* rolls,
+                           __global sc_pair_row* shapes, __global int* lost) {
   const size_t from = get_global_id(0);
   if (from >= (size_t)count) return;
   const size_t i = (size_t)rows[from];

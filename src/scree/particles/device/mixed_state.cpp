@@ -42,15 +42,23 @@ void set_units(const ParticleSystem& s, sc_fixed_space& out) {
 }  // namespace
 
 sc_fixed_space fixed_space_of(const ParticleSystem& s, double reach) {
-  sc_fixed_space out{};
-  set_units(s, out);
+  sc_fixed_space units{};
+  set_units(s, units);
+  return fixed_space_of(s.domain, reach, units);
+}
+
+sc_fixed_space fixed_space_of(const Domain& domain, double reach, const sc_fixed_space& units) {
+  sc_fixed_space out = units;
   double widest = 2 * reach;  // what ticks have to measure with 32 bits
   double step[3];
+  out.open = 0;
   for (int k = 0; k < 3; ++k) {
-    const double length = s.domain.length(k);
-    out.periodic[k] = s.domain.periodic[k];
+    out.open |= (domain.open[k][0] ? 1 << k : 0) | (domain.open[k][1] ? 8 << k : 0);
+    const double length = domain.length(k);
+    out.periodic[k] = domain.periodic[k];
     out.span[k] = out.periodic[k] ? length : 2 * length;
-    out.low[k] = out.periodic[k] ? s.domain.min[k] : s.domain.min[k] - 0.5 * length;
+    out.low[k] = out.periodic[k] ? domain.min[k] : domain.min[k] - 0.5 * length;
+    out.turn[k] = 0;
     // A little more than twice the reach: the sign of a difference must be certain.
     while (out.turn[k] < 31 && out.span[k] > 2 * 2.2 * reach * std::exp2(out.turn[k])) ++out.turn[k];
     const double window = out.span[k] * std::exp2(-out.turn[k]);
@@ -59,15 +67,6 @@ sc_fixed_space fixed_space_of(const ParticleSystem& s, double reach) {
   }
   out.tick = std::exp2(std::ceil(std::log2(widest * 0x1p-32)));
   for (int k = 0; k < 3; ++k) out.scale[k] = static_cast<unsigned>(std::lround(step[k] / out.tick * 0x1p31));
-  return out;
-}
-
-sc_pair_law in_units(const sc_pair_law& law, const sc_fixed_space& u) {
-  const double stiffness = u.mass / (u.time * u.time), modulus = stiffness / u.length;
-  sc_pair_law out = law;
-  for (real* number : {&out.stiffness, &out.tangential_stiffness, &out.cohesion_stiffness, &out.adhesion})
-    *number /= stiffness;
-  for (real* number : {&out.young, &out.shear}) *number /= modulus;
   return out;
 }
 
@@ -93,46 +92,56 @@ std::vector<double> read_memory(const opencl::DeviceBuffer& from, std::size_t fi
   return rows;
 }
 
-MixedState::MixedState(const opencl::Device& device, const ParticleSystem& system, double reach)
-    : particles(system.particles.size()), space(fixed_space_of(system, reach)) {
-  for (int k = 0; k < 2; ++k)
-    for (opencl::DeviceBuffer* rows : {&near[k], &speed[k], &spin[k]})
-      *rows = opencl::DeviceBuffer(device, particles * 4 * word);
-  for (opencl::DeviceBuffer* rests : {&rest_places, &rest_speeds, &rest_spins})
-    *rests = opencl::DeviceBuffer(device, particles * 3 * word);
-  excess_of = opencl::DeviceBuffer(device, particles * word);
-  listed = opencl::DeviceBuffer(device, particles * 4 * word);
-  std::vector<float> numbers;
-  for (const sc_pair_law& law : system.materials.law) {
-    const std::vector<float> own = narrowed(in_units(law, space));
-    numbers.insert(numbers.end(), own.begin(), own.end());
-  }
-  laws = opencl::DeviceBuffer(device, numbers.size() * word);
-  laws.write(numbers.data(), laws.bytes());
-}
-
 void MixedState::for_each_row(int now, const std::function<void(opencl::DeviceBuffer&, std::size_t)>& visit) {
   for (opencl::DeviceBuffer* rows : {&near[now], &speed[now], &spin[now]}) visit(*rows, 4 * word);
   for (opencl::DeviceBuffer* rows : {&rest_places, &rest_speeds, &rest_spins}) visit(*rows, 3 * word);
   visit(excess_of, word);
 }
 
-void MixedState::take(opencl::Program& program, int now, const opencl::DeviceBuffer& motion,
-                      const opencl::DeviceBuffer& spins, const opencl::DeviceBuffer& excess) {
-  program.run("sc_narrow_state", particles, group, static_cast<int>(particles), space, motion, spins, excess, near[now],
-              speed[now], spin[now], rest_places, rest_speeds, rest_spins, excess_of);
+void MixedState::for_each_buffer(const std::function<void(opencl::DeviceBuffer&, std::size_t)>& visit) {
+  for_each_row(0, visit);
+  for (opencl::DeviceBuffer* rows : {&near[1], &speed[1], &spin[1], &listed}) visit(*rows, 4 * word);
 }
 
-void MixedState::give(opencl::Program& program, int now, const opencl::DeviceBuffer& motion,
+void MixedState::send_laws(const opencl::Device& device, const Materials& materials, const sc_fixed_space& units) {
+  std::vector<float> numbers;
+  for (const sc_pair_law& law : materials.law) {
+    const std::vector<float> own = narrowed(sc_law_in_units(law, units));
+    numbers.insert(numbers.end(), own.begin(), own.end());
+  }
+  laws = opencl::sent(device, numbers);
+}
+
+void MixedState::take(opencl::Program& program, int now, std::size_t first, std::size_t count,
+                      const opencl::DeviceBuffer& motion, const opencl::DeviceBuffer& spins,
+                      const opencl::DeviceBuffer& excess) {
+  program.run("sc_narrow_state", count, group, static_cast<int>(first), static_cast<int>(count), space, motion, spins,
+              excess, near[now], speed[now], spin[now], rest_places, rest_speeds, rest_spins, excess_of);
+}
+
+void MixedState::take_speeds(opencl::Program& program, int now, int step, const opencl::DeviceBuffer& stale,
+                             std::size_t count, const opencl::DeviceBuffer& motion, const opencl::DeviceBuffer& spins) {
+  program.run("sc_narrow_speeds", count, group, step, stale, static_cast<int>(count), space, motion, spins, speed[now],
+              spin[now], rest_places, rest_speeds, rest_spins);
+}
+
+void MixedState::move_to(const sc_fixed_space& other, opencl::Program& program, int now, std::size_t count,
+                         const opencl::DeviceBuffer& motion) {
+  program.run("sc_change_windows", count, group, static_cast<int>(count), space, other, motion, near[now], rest_places);
+  space = other;
+}
+
+void MixedState::give(opencl::Program& program, int now, std::size_t count, const opencl::DeviceBuffer& motion,
                       const opencl::DeviceBuffer& spins) const {
-  program.run("sc_widen_state", particles, group, static_cast<int>(particles), space, near[now], speed[now], spin[now],
+  program.run("sc_widen_state", count, group, static_cast<int>(count), space, near[now], speed[now], spin[now],
               rest_places, rest_speeds, rest_spins, motion, spins);
 }
 
 std::size_t MixedState::bytes() const {
-  std::size_t sum = excess_of.bytes() + listed.bytes() + laws.bytes();
-  for (int k = 0; k < 2; ++k) sum += near[k].bytes() + speed[k].bytes() + spin[k].bytes();
-  return sum + rest_places.bytes() + rest_speeds.bytes() + rest_spins.bytes();
+  std::size_t sum = laws.bytes();
+  const_cast<MixedState*>(this)->for_each_buffer(
+      [&](const opencl::DeviceBuffer& rows, std::size_t) { sum += rows.bytes(); });
+  return sum;
 }
 
 }  // namespace scree

@@ -34,9 +34,12 @@ std::string options_for(const ParticleSystem& s, const Fields& fields, bool pres
 
 /// Kernels of shapes take a device's compiler longer than all others, so that only who needs them has them.
 std::string text_for(Precision precision, const Fields& fields, bool shaped) {
-  const std::string text =
-      DeviceFields::formulas(fields) + opencl::kernel_text + (shaped ? opencl::shape_kernel_text : "");
-  return precision == Precision::full ? text : opencl::single_text + text + opencl::mixed_text;
+  const bool mixed = precision == Precision::mixed;
+  const std::string text = (mixed ? opencl::single_text : "") + DeviceFields::formulas(fields) + opencl::kernel_text +
+                           (mixed ? opencl::mixed_text : "");
+  if (!shaped) return text;
+  return text + opencl::bodies_text + (mixed ? opencl::mixed_bodies_text : opencl::full_bodies_text) +
+         opencl::shape_kernel_text;
 }
 
 }  // namespace
@@ -64,7 +67,10 @@ DeviceParticles::DeviceParticles(const opencl::Device& device, Precision precisi
   constants_.max_overlap = max_overlap;
   wraps_ = s.domain.periodic;
   laws_ = opencl::sent(device_, s.materials.law);
-  if (precision == Precision::mixed) mixed_.emplace(device_, s, range_ + 2 * std::max(skin_, longest_skin_));
+  if (precision == Precision::mixed) {
+    mixed_.emplace(fixed_space_of(s, farthest()));
+    mixed_->send_laws(device_, s.materials, mixed_->space);
+  }
   if (s.particles.shaped()) send_shapes(s);
   check_kernels();
   if (shapes_) check_shapes(s.forms);
@@ -101,14 +107,14 @@ DeviceParticles::Lists DeviceParticles::make_room(std::size_t particles, int roo
           {device_, remembers == Remembers::laws_and_places ? 2 * memory : 0}};
 }
 
-std::optional<MemoryUnits> DeviceParticles::slide_units(const Lists& lists) const {
-  if (lists.remembers != Remembers::laws_in_single) return {};
+std::optional<MemoryUnits> DeviceParticles::slide_units(Remembers remembers) const {
+  if (remembers != Remembers::laws_in_single) return {};
   return mixed_->slide_units();
 }
 
 /// Angles have none.
-std::optional<MemoryUnits> DeviceParticles::roll_units(const Lists& lists) const {
-  if (lists.remembers != Remembers::laws_in_single) return {};
+std::optional<MemoryUnits> DeviceParticles::roll_units(Remembers remembers) const {
+  if (remembers != Remembers::laws_in_single) return {};
   return MemoryUnits{};
 }
 
@@ -129,7 +135,7 @@ void DeviceParticles::send_particles(const Particles& particles) {
     column(name).write(values.values.data(), n_ * row_bytes_.at(name));
   });
   if (borders_) put_words(borders_->ghosts, 1, columns_.at(ghost_column));
-  if (mixed_) mixed_->take(program_, now_, column("motion"), column("spin"), column("effect_excess"));
+  if (mixed_) mixed_->take(program_, now_, 0, n_, column("motion"), column("spin"), column("effect_excess"));
   stale_ = opencl::DeviceBuffer(device_, (most_given + 1) * sizeof(std::int32_t));
   counters_ = opencl::DeviceBuffer(device_, 2 * sizeof(std::int32_t));
 }
@@ -155,7 +161,9 @@ void DeviceParticles::send_poses() {
 void DeviceParticles::meet_fields(int number, int from) {
   if (!fields_.apart()) return;
   fields_.make_room(device_, n_);
-  program_.run("sc_meet_fields", n_, group, constants_, number, stale_, fields_.lost(), motion_[from], spin_[from],
+  if (mixed_) mixed_->give(program_, from, n_, motion_[0], spin_[0]);
+  const int rows = mixed_ ? 0 : from;
+  program_.run("sc_meet_fields", n_, group, constants_, number, stale_, fields_.lost(), motion_[rows], spin_[rows],
                column_or_none("orientation"), column_or_none("inertia"), column_or_none("form"),
                column_or_none("stream"), column_or_none("pull"), column_or_none("before"), fields_.shapes(),
                fields_.tables(), fields_.found());
@@ -164,13 +172,14 @@ void DeviceParticles::meet_fields(int number, int from) {
     program_.run("sc_halt_where_lost", 1, 1, number, fields_.lost(), stale_);
   }
   if (!fields_.turns()) return;
-  program_.run("sc_turn_particles", n_, group, constants_, number, stale_, motion_[from], spin_[from],
+  program_.run("sc_turn_particles", n_, group, constants_, number, stale_, motion_[rows], spin_[rows],
                column_or_none("orientation"), column_or_none("inertia"), column_or_none("form"),
                column_or_none("stream"), column_or_none("pull"), column_or_none("before"), column_or_none("gradient"),
                fields_.shapes(), fields_.tables(), column_or_none("angular_momentum"), columns_.at("work"),
                columns_.at("angular_impulse"));
   // What a fluid that is solved for has said to a particle its copies do not know.
   if (borders_ && alike_.turned()) renew_copies(from);
+  if (mixed_) mixed_->take_speeds(program_, from, number, stale_, n_, motion_[0], spin_[0]);
 }
 
 /// Step number `number` since the steps were last settled.

@@ -179,8 +179,9 @@ class DeviceParticles {
   void send_pairs(const ParticleSystem& system);
   void send_sides(const ParticleSystem& system);
   Lists sent_sides(const std::vector<Side>& sides, Remembers remembers) const;
-  std::optional<MemoryUnits> slide_units(const Lists& lists) const;
-  std::optional<MemoryUnits> roll_units(const Lists& lists) const;
+  std::optional<MemoryUnits> slide_units(Remembers remembers) const;
+  std::optional<MemoryUnits> roll_units(Remembers remembers) const;
+  Remembers pairs_remember() const { return mixed_ ? Remembers::laws_in_single : Remembers::laws; }
   template <class Visit>
   void for_each_acting(const Lists& lists, Visit&& visit) const;
   std::vector<ActingPair> acting_pairs() const;
@@ -202,6 +203,9 @@ class DeviceParticles {
   std::vector<std::int32_t> rows_in(const std::vector<sc_region>& regions);
   void put_rows(const std::vector<std::int32_t>& rows, const Particles& values);
   void append(const Particles& fresh);
+  void widen_state(std::size_t count);
+  double farthest() const;
+  void fit_space(const ParticleSystem& system);
   void reach_as_far_as(const ParticleSystem& system, const Sizes& sizes);
   void dismiss(const std::vector<std::int32_t>& rows);
   void put_words(const std::vector<std::int32_t>& rows, std::int32_t word, opencl::DeviceBuffer& to);
@@ -228,6 +232,7 @@ class DeviceParticles {
   void share_lost(int step);
   Done do_ahead();
   Done do_in_turn();
+  std::size_t pair_row() const;
   DevicePairs make_pairs(std::size_t room) const;
   void make_room_for_pairs(std::size_t count);
   void list_pairs();
@@ -266,6 +271,7 @@ class DeviceParticles {
   void launch_spheres(int number, int from, int to);
   void launch_mixed(int number, int from, int to);
   void launch_shapes(int number, int from, int to);
+  const MixedState* mixed() const { return mixed_ ? &*mixed_ : nullptr; }
   void add_findings(DeviceFindings& to);
   sc_counts counts() const;
   std::size_t groups() const;  // of all particles that there is memory for

@@ -167,7 +167,7 @@ void DeviceParticles::check_single_law() {
     const sc_contact_state state = state_of(k, r);
     for (const auto& [to, numbers] : {std::pair{&touches, narrowed(touch)}, {&states, narrowed(state)}})
       to->insert(to->end(), numbers.begin(), numbers.end());
-    mine.push_back(numbers_of(sc_contact_act(laws_of_run_, in_units(first_law_, u), touch, time, state)));
+    mine.push_back(numbers_of(sc_contact_act(laws_of_run_, sc_law_in_units(first_law_, u), touch, time, state)));
     for (std::size_t l = 0; l < largest.size(); ++l) largest[l] = std::max(largest[l], std::abs(mine.back()[l]));
   }
   const auto theirs = single_results(time, touches, states);

@@ -39,7 +39,7 @@ void DeviceParticles::send_sides(const ParticleSystem& s) {
     sides.push_back({static_cast<std::size_t>(a), entry_of(b, c.active[k]), slide, roll, nullptr, 1});
     sides.push_back({static_cast<std::size_t>(b), entry_of(a, c.active[k]), slide, roll, nullptr, -1});
   }
-  lists_ = sent_sides(sides, mixed_ ? Remembers::laws_in_single : Remembers::laws);
+  lists_ = sent_sides(sides, pairs_remember());
 }
 
 DeviceParticles::Lists DeviceParticles::sent_sides(const std::vector<Side>& sides, Remembers remembers) const {
@@ -60,8 +60,8 @@ DeviceParticles::Lists DeviceParticles::sent_sides(const std::vector<Side>& side
   }
   lists.counts.write(count.data(), n_ * sizeof(std::int32_t));
   lists.entries.write(entries.data(), slots * sizeof(std::uint32_t));
-  write_memory(lists.slides, slides, slide_units(lists));
-  write_memory(lists.rolls, rolls, roll_units(lists));
+  write_memory(lists.slides, slides, slide_units(remembers));
+  write_memory(lists.rolls, rolls, roll_units(remembers));
   lists.shapes.write(shapes.data(), shapes.size() * sizeof(double));
   return lists;
 }

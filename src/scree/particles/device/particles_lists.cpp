@@ -84,7 +84,7 @@ void DeviceParticles::permute_state(std::size_t count) {
 /// Puts those who are there from now on in the order of their cells; those who are gone get no place.
 void DeviceParticles::sort_particles() {
   fit_cells();
-  if (mixed_) mixed_->give(program_, now_, column("motion"), column("spin"));
+  widen_state(n_ + come_);
   const std::size_t held = n_ + come_, stay = held - gone_count_;
   const int n = static_cast<int>(held), cells = cells_.count[0] * cells_.count[1] * cells_.count[2];
   const std::size_t bytes = (static_cast<std::size_t>(cells) + 1) * sizeof(std::int32_t);
@@ -173,7 +173,7 @@ void DeviceParticles::carry_over(Lists& from, Lists& to, bool of_faces) {
 /// Notes where everybody is.
 void DeviceParticles::note_places() {
   if (mixed_)
-    mixed_->listed.copy_from(mixed_->near[now_], mixed_->listed.bytes());
+    mixed_->listed.copy_from(mixed_->near[now_], n_ * 4 * sizeof(std::uint32_t));
   else
     program_.run("sc_note_places", n_, group, static_cast<int>(n_), motion_[now_], listed_);
 }

@@ -78,7 +78,13 @@ std::vector<std::int32_t> DeviceParticles::own_rows() const {
   return out;
 }
 
+/// In mixed precision, brings the rows in double of the first `count` to the present state.
+void DeviceParticles::widen_state(std::size_t count) {
+  if (mixed_) mixed_->give(program_, now_, count, column("motion"), column("spin"));
+}
+
 void DeviceParticles::read_columns(std::span<const std::string_view> names, Particles& to) {
+  widen_state(n_);
   to.resize(count());
   const opencl::DeviceBuffer rows = borders_ ? opencl::sent(device_, own_rows()) : opencl::DeviceBuffer();
   to.for_each_field([&](std::string_view name, auto& values, auto...) {
@@ -135,8 +141,9 @@ void DeviceParticles::for_each_acting(const Lists& lists, Visit&& visit) const {
     std::vector<std::uint32_t> entry(n);
     lists.entries.read(entry.data(), n * sizeof(std::uint32_t),
                        static_cast<std::size_t>(k) * n * sizeof(std::uint32_t));
-    const auto slide = read_slot(k, lists.slides, slide_units(lists)),
-               roll = read_slot(k, lists.rolls, roll_units(lists)), shape = read_wide(k, lists.shapes, wall_scratch),
+    const auto slide = read_slot(k, lists.slides, slide_units(lists.remembers)),
+               roll = read_slot(k, lists.rolls, roll_units(lists.remembers)),
+               shape = read_wide(k, lists.shapes, wall_scratch),
                place = &lists == &face_lists_ && shapes_ ? read_wide(k, shapes_->places, 12) : std::vector<double>();
     for (std::size_t i = 0; i < n; ++i)
       if (k < count[i] && entry[i] >> SC_CODE_SHIFT != 0)
@@ -193,14 +200,17 @@ KeyedContacts DeviceParticles::remembered_by(const std::vector<ActingPair>& acti
   std::vector<std::int32_t> numbers;
   for (const ActingPair& pair : acting) numbers.push_back(static_cast<std::int32_t>(pair.number));
   const opencl::DeviceBuffer wanted = opencl::sent(device_, numbers);
-  opencl::DeviceBuffer packed(device_, numbers.size() * pair_memory * sizeof(double));
-  const auto rows_of = [&](const opencl::DeviceBuffer& all, std::size_t width) {
-    take(wanted, numbers.size(), width * sizeof(double), all, packed);
-    return packed.values<double>(width * numbers.size());
+  const std::size_t number = mixed_ ? sizeof(float) : sizeof(double);
+  opencl::DeviceBuffer packed(device_, numbers.size() * pair_memory * number);
+  const auto rows_of = [&](const opencl::DeviceBuffer& all, std::size_t width,
+                           const std::optional<MemoryUnits>& units) {
+    take(wanted, numbers.size(), width * number, all, packed);
+    return read_memory(packed, 0, width / 4 * numbers.size(), units);
   };
   const DevicePairs& pairs = shapes_->pairs;
-  const auto slides = rows_of(pairs.slides, 4), shapes = rows_of(pairs.shapes, pair_memory),
-             rolls = rolls_ ? rows_of(pairs.rolls, 4) : std::vector<double>();
+  const auto units = slide_units(pairs_remember()), none = roll_units(pairs_remember());
+  const auto slides = rows_of(pairs.slides, 4, units), shapes = rows_of(pairs.shapes, pair_memory, none),
+             rolls = rolls_ ? rows_of(pairs.rolls, 4, none) : std::vector<double>();
   for (std::size_t c = 0; c < acting.size(); ++c) {
     const ActingPair& pair = acting[c];
     remember(out, id_of(pair.rows[0]), id_of(pair.rows[1]), &slides[4 * c], rolls_ ? &rolls[4 * c] : nullptr,
@@ -211,7 +221,7 @@ KeyedContacts DeviceParticles::remembered_by(const std::vector<ActingPair>& acti
 }
 
 void DeviceParticles::bring_back(ParticleSystem& system) {
-  if (mixed_) mixed_->give(program_, now_, column("motion"), column("spin"));
+  widen_state(n_);
   Particles& p = system.particles;
   p.resize(n_);
   p.for_each_field([&](std::string_view name, auto& values, auto...) {
@@ -262,9 +272,10 @@ std::vector<std::int32_t> DeviceParticles::found_rows() {
 DeviceParticles::Lists DeviceParticles::taken(const Lists& lists, const std::vector<std::int32_t>& rows) {
   Lists out = make_room(rows.size(), lists.room, lists.remembers);
   if (rows.empty()) return out;
-  program_.run("sc_take_lists", rows.size(), group, static_cast<int>(rows.size()), opencl::sent(device_, rows),
-               static_cast<int>(lists.particles), lists.counts, lists.entries, lists.slides, lists.rolls, lists.shapes,
-               out.counts, out.entries, out.slides, out.rolls, out.shapes);
+  const bool single = lists.remembers == Remembers::laws_in_single;
+  program_.run(single ? "sf_take_lists" : "sc_take_lists", rows.size(), group, static_cast<int>(rows.size()),
+               opencl::sent(device_, rows), static_cast<int>(lists.particles), lists.counts, lists.entries,
+               lists.slides, lists.rolls, lists.shapes, out.counts, out.entries, out.slides, out.rolls, out.shapes);
   return out;
 }
 
@@ -322,6 +333,7 @@ std::vector<std::int64_t> DeviceParticles::ids_at(const std::vector<std::int32_t
 }
 
 PartOfDevice DeviceParticles::part_in(const std::vector<sc_region>& regions, const ParticleSystem& system) {
+  widen_state(n_);
   const std::vector<std::int32_t> asked = rows_in(regions);
   const ContactsOfSome some = contacts_of(asked, ids_at(asked));
   std::vector<std::int32_t> rows = asked;

@@ -24,7 +24,10 @@ void DeviceParticles::reserve(std::size_t rows) {
     grow(spin_[k], row_bytes_.at("spin"));
   }
   for (opencl::DeviceBuffer* places : {&cell_of_, &order_, &place_, &gone_}) grow(*places, sizeof(std::int32_t));
-  if (!mixed_) grow(listed_, 4 * sizeof(double));
+  if (mixed_)
+    mixed_->for_each_buffer(grow);
+  else
+    grow(listed_, 4 * sizeof(double));
   if (planes_) grow(planes_->passed, planes_->row_bytes());
   make_scratch(widest);
   found_ = opencl::DeviceBuffer(device_, finding_groups() * sizeof(sc_findings));
@@ -52,6 +55,8 @@ void DeviceParticles::append(const Particles& fresh) {
     const std::size_t row_bytes = row_bytes_.at(name);
     column(name).write(values.values.data(), fresh.size() * row_bytes, (n_ + come_) * row_bytes);
   });
+  if (mixed_)
+    mixed_->take(program_, now_, n_ + come_, fresh.size(), column("motion"), column("spin"), column("effect_excess"));
   come_ += fresh.size();
 }
 
@@ -77,6 +82,17 @@ void DeviceParticles::reach_as_far_as(const ParticleSystem& system, const Sizes&
   if (adapts_) skin_ = std::clamp(skin_, shortest_skin_, longest_skin_);
 }
 
+/// Two bodies that are on a list are no further apart [m].
+double DeviceParticles::farthest() const { return range_ + 2 * std::max(skin_, longest_skin_); }
+
+/// Windows of places have to be wide enough for those who have come; units for the first of all.
+void DeviceParticles::fit_space(const ParticleSystem& system) {
+  const sc_fixed_space fitting =
+      n_ == 0 ? fixed_space_of(system, farthest()) : fixed_space_of(system.domain, farthest(), mixed_->space);
+  if (n_ == 0) mixed_->send_laws(device_, system.materials, fitting);
+  mixed_->move_to(fitting, program_, now_, n_, column("motion"));
+}
+
 void DeviceParticles::put_back(const PartOfDevice& before, const ParticleSystem& system) {
   take_passings();
   const Particles& after = system.particles;
@@ -98,8 +114,13 @@ void DeviceParticles::put_back(const PartOfDevice& before, const ParticleSystem&
   Particles stay = after, come = after;
   stay.permute(staying);
   come.permute(coming);
-  if (come.size() > 0) reach_as_far_as(system, sizes_of(come));
+  if (come.size() > 0) {
+    reach_as_far_as(system, sizes_of(come));
+    if (mixed_) fit_space(system);
+  }
   put_rows(rows, stay);
+  // Places keep their last bits, since nobody is moved; those who stay may have been pushed.
+  if (mixed_) mixed_->take_speeds(program_, now_, 0, stale_, n_, column("motion"), column("spin"));
   dismiss(gone);
   append(come);
   wall_poses_.write(system.walls.poses.data(), system.walls.poses.size() * sizeof(sc_wall_pose));

@@ -9,7 +9,7 @@
 namespace scree {
 namespace {
 
-constexpr std::size_t row = 4 * sizeof(double);
+constexpr std::size_t wide_row = 4 * sizeof(double);
 
 /// Items that look at pairs: more than any device does at once, and each takes one pair after the other.
 constexpr std::size_t most_lookers = std::size_t{1} << 16;
@@ -47,7 +47,11 @@ void write_all(opencl::DeviceBuffer& to, const std::vector<T>& values) {
 
 }  // namespace
 
+/// Bytes of a row of what pairs remember and do.
+std::size_t DeviceParticles::pair_row() const { return mixed_ ? 4 * sizeof(float) : wide_row; }
+
 DevicePairs DeviceParticles::make_pairs(std::size_t room) const {
+  const std::size_t row = pair_row();
   return {0,
           room,
           {device_, room * 2 * sizeof(std::uint32_t)},
@@ -74,9 +78,9 @@ void DeviceParticles::send_pairs(const ParticleSystem& s) {
   pairs = make_pairs(sent.rows.size());
   pairs.count = sent.rows.size();
   write_all(pairs.rows, sent.rows);
-  write_all(pairs.slides, sent.slides);
-  write_all(pairs.rolls, sent.rolls);
-  write_all(pairs.shapes, sent.shapes);
+  write_memory(pairs.slides, sent.slides, slide_units(pairs_remember()));
+  write_memory(pairs.rolls, sent.rolls, roll_units(pairs_remember()));
+  write_memory(pairs.shapes, sent.shapes, roll_units(pairs_remember()));
 }
 
 /// Numbers the pairs on the lists and gives them what they remember.
@@ -87,7 +91,7 @@ void DeviceParticles::list_pairs() {
   const opencl::DeviceBuffer& id = columns_.at("id");
   if (shapes.first.bytes() < (n_ + 1) * sizeof(std::int32_t)) {
     shapes.first = opencl::DeviceBuffer(device_, (rows_ + 1) * sizeof(std::int32_t));
-    shapes.wall_loads = opencl::DeviceBuffer(device_, rows_ * 3 * row);
+    shapes.wall_loads = opencl::DeviceBuffer(device_, rows_ * 3 * wide_row);
   }
   program_.run("sc_count_pairs", n_ + 1, group, n, lists_.counts, lists_.entries, id, shapes.first);
   scan(shapes.first, n + 1);
@@ -148,7 +152,7 @@ void DeviceParticles::make_room_for_pairs(std::size_t count) {
   if (shapes.fresh.room < count) shapes.fresh = make_pairs(room);
   if (shapes.room < count) {
     shapes.room = room;
-    shapes.loads = opencl::DeviceBuffer(device_, room * 3 * row);
+    shapes.loads = opencl::DeviceBuffer(device_, room * 3 * pair_row());
     shapes.full = opencl::DeviceBuffer(device_, room);
     shapes.looks = opencl::DeviceBuffer(device_, room * sizeof(std::uint32_t));
   }
@@ -168,23 +172,28 @@ void DeviceParticles::launch_shapes(int number, int from, int to) {
   const int count = static_cast<int>(pairs.count), after_motion = static_cast<int>(groups());
   program_.run("sc_list_looks", pairs.count, group, number, count, stale_, pairs.rows, column("angular_momentum"),
                pairs.apart, s.looks, s.looked);
-  program_.run("sc_meet_pairs", std::min(pairs.count, most_lookers), group, constants_, number, count, stale_,
-               motion_[from], spin_[from], column("orientation"), column("angular_momentum"), column("inertia"),
-               column("effect_excess"), column("material"), column("form"), ghost_flags(), s.forms, laws_, pairs.rows,
-               pairs.slides, pairs.rolls, pairs.shapes, s.loads, pairs.apart, s.full, s.looks, s.looked,
-               2 * after_motion, found_);
-  if (faces_ > 0)
-    program_.run("sc_meet_faces", n_, group, constants_, number, stale_, motion_[from], spin_[from],
-                 column("orientation"), column("inertia"), column("effect_excess"), column("material"), column("form"),
-                 s.forms, laws_, wall_faces_, wall_poses_, face_lists_.counts, face_lists_.entries, face_lists_.slides,
-                 face_lists_.rolls, face_lists_.shapes, gaps_, corners_, s.places, column("work"), s.wall_loads,
-                 after_motion, found_);
-  program_.run("sc_move_bodies", n_, group, constants_, number, stale_, motion_[from], spin_[from], motion_[to],
-               spin_[to], column("orientation"), column("angular_momentum"), column("inertia"), column("effect_excess"),
-               column("material"), ghost_flags(), listed_, lists_.counts, s.gather, s.full, s.loads, s.wall_loads,
-               column("image"), fields_.found(), column_or_none("stream"), column_or_none("pull"),
-               column_or_none("before"), column("loss"), column("work"), column("impulse"), column("angular_impulse"),
-               column_or_none("drag_impulse"), found_);
+  with_bodies(mixed(), from, motion_[from], spin_[from], column("effect_excess"), [&](const auto&... bodies) {
+    program_.run("sc_meet_pairs", std::min(pairs.count, most_lookers), group, constants_, number, count, stale_,
+                 bodies..., column("orientation"), column("angular_momentum"), column("inertia"), column("material"),
+                 column("form"), ghost_flags(), s.forms, laws_, pairs.rows, pairs.slides, pairs.rolls, pairs.shapes,
+                 s.loads, pairs.apart, s.full, s.looks, s.looked, 2 * after_motion, found_);
+    if (faces_ > 0)
+      program_.run("sc_meet_faces", n_, group, constants_, number, stale_, bodies..., column("orientation"),
+                   column("inertia"), column("material"), column("form"), s.forms, laws_, wall_faces_, wall_poses_,
+                   face_lists_.counts, face_lists_.entries, face_lists_.slides, face_lists_.rolls, face_lists_.shapes,
+                   gaps_, corners_, s.places, column("work"), s.wall_loads, after_motion, found_);
+    const auto move = [&](const auto&... next) {
+      program_.run("sc_move_bodies", n_, group, constants_, number, stale_, bodies..., next..., column("orientation"),
+                   column("angular_momentum"), column("inertia"), column("material"), ghost_flags(), lists_.counts,
+                   s.gather, s.full, s.loads, s.wall_loads, column("image"), fields_.found(), column_or_none("stream"),
+                   column_or_none("pull"), column_or_none("before"), column("loss"), column("work"), column("impulse"),
+                   column("angular_impulse"), column_or_none("drag_impulse"), found_);
+    };
+    if (mixed_)
+      move(mixed_->near[to], mixed_->speed[to], mixed_->spin[to], mixed_->listed);
+    else
+      move(motion_[to], spin_[to], listed_);
+  });
 }
 
 }  // namespace scree

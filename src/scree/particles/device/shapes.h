@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "scree/compute/opencl/device.h"
+#include "scree/particles/device/mixed_state.h"
 
 namespace scree {
 
@@ -37,5 +38,17 @@ struct DeviceShapes {
     return sum;
   }
 };
+
+/// Calls launch(...) with what kernels are given of the present state of bodies: rows in double, or where there is a
+/// state in mixed precision, the half `now` of that.
+template <class Launch>
+void with_bodies(const MixedState* mixed, int now, const opencl::DeviceBuffer& motion, const opencl::DeviceBuffer& spin,
+                 const opencl::DeviceBuffer& excess, Launch&& launch) {
+  if (mixed)
+    launch(mixed->space, mixed->near[now], mixed->speed[now], mixed->spin[now], mixed->rest_places, mixed->rest_speeds,
+           mixed->rest_spins, mixed->excess_of);
+  else
+    launch(motion, spin, excess);
+}
 
 }  // namespace scree
