@@ -25,6 +25,11 @@ const std::string by_formulas =
     "expression = [\"0.3 * y * t / 0.01 - x * z\", \"20 * x * (x > 0.015 ? -y : y) - 10 * t * z\", \"x / (x + y) - "
     "z\"]\n";
 
+const std::string all_by_formulas =
+    gravity + flow("expression", by_formulas +
+                                     "drag = \"haider_levenspiel\"\nadded_mass = true\npressure_force = true\n"
+                                     "buoyancy = true\n");
+
 TEST(DeviceShapeFlows, DragByShadowsAddedMassAndPressureHaveTheBitsOfTheCpu) {
   expect_the_same(
       crowd_in(flow("taylor_green", vortices + "drag = \"ganser\"\nadded_mass = true\npressure_force = true\n")), 300);
@@ -58,11 +63,7 @@ TEST(DeviceShapeFlows, TorquesWithoutDragHaveTheBitsOfTheCpu) {
                   300);
 }
 
-TEST(DeviceShapeFlows, FlowsByFormulaHaveTheBitsOfTheCpu) {
-  expect_the_same(box_in(gravity + flow("expression", by_formulas + "drag = \"haider_levenspiel\"\nadded_mass = true\n"
-                                                                    "pressure_force = true\nbuoyancy = true\n")),
-                  300);
-}
+TEST(DeviceShapeFlows, FlowsByFormulaHaveTheBitsOfTheCpu) { expect_the_same(box_in(all_by_formulas), 300); }
 
 TEST(DeviceShapeFlows, BodyForcesHaveTheBitsOfTheCpu) {
   expect_the_same(box_in("[gravity]\ntype = \"central\"\ncenter = [0.015, 0.01, -0.012]\nstrength = 5e-3\n"), 800);
@@ -80,8 +81,7 @@ TEST(DeviceShapeFlows, StopWithTheCpuWhereAFieldIsNoNumber) {
 }
 
 TEST(DeviceShapeFlows, GoOnFromTheCpuAndBack) {
-  expect_the_same_in_turns(case_of(box_in(flow("expression", by_formulas + "drag = \"holzer_sommerfeld\"\n"))),
-                           {101, 101, 98});
+  expect_the_same_in_turns(case_of(box_in(all_by_formulas)), {101, 101, 98});
 }
 
 TEST(DeviceShapeFlows, HaveTheBitsOfTheCpuWhereBodiesComeAndGo) {
