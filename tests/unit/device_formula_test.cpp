@@ -46,7 +46,7 @@ std::vector<double> on_device(const std::vector<std::string>& formulas) {
   opencl::Program program(device, DeviceFields::formulas({}) + opencl::kernel_text + kernel + "}\n",
                           "-cl-std=CL1.2 -DSC_GROUP=128 -DSC_SHAPED=0 -DSC_CHOSEN_NORMAL=0 -DSC_CHOSEN_TANGENTIAL=0 "
                           "-DSC_CHOSEN_ROLLING=0 -DSC_CHOSEN_TWISTING=0 -DSC_CHOSEN_COHESION=0" +
-                              DeviceFields::options({}, false));
+                              DeviceFields::options({}, false, false));
   std::vector<double> at;
   for (int k = 0; k < points; ++k)
     for (const double number : point(k)) at.push_back(number);
