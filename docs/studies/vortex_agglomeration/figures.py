@@ -21,6 +21,7 @@ import speeds  # noqa: E402
 
 EDGE = {"arrowstyle": "-|>", "color": "tab:green", "lw": 2, "shrinkA": 0, "shrinkB": 0}
 DEGREES = plt.get_cmap("viridis")
+COMMON = 5  # turnovers that all runs have
 
 
 def shade(value, values):
@@ -85,7 +86,7 @@ def count_logarithmically(axes):
 
 
 def draw_agglomerates(options, base):
-    rows = measure.table(options.runs)
+    rows = measure.table(options.runs, COMMON)
     stokes = sorted({row["stokes"] for row in rows})
     figure, all_axes = plt.subplots(1, 3, figsize=(11, 3.8), layout="constrained")
     for axes, name, label in zip(all_axes, ("agglomerated_fraction", "mean_agglomerate_size", "largest_agglomerate"),

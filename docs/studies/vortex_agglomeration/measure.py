@@ -1,8 +1,14 @@
 #!/usr/bin/python3
-"""The numbers of the study: a row per Stokes and stickiness number, from runs of study.py. usage: measure.py RUNS TABLE.csv"""
+"""The numbers of the study: a row per Stokes and stickiness number, from runs of study.py.
+
+usage: measure.py RUNS TABLE.csv [TURNOVERS]
+
+With TURNOVERS no run counts for longer than that.
+"""
 
 import csv
 import json
+import math
 import pathlib
 import re
 import sys
@@ -32,13 +38,16 @@ def finished(place):
     return summary.exists() and json.loads(summary.read_text())["status"] == "finished"
 
 
-def runs_of(directory):
-    """All finished runs, by Stokes and stickiness number; those of different seeds as far as the shortest goes."""
+def runs_of(directory, turnovers=math.inf):
+    """All finished runs, by Stokes and stickiness number; those of different seeds as far as the shortest goes, and none
+    longer than so many turnovers."""
     found = {}
+    end = (turnovers + 1e-3) * cases.Base().turnover
     for place in sorted(directory.glob("stokes*_stickiness*_seed*")):
         stokes, stickiness, _ = map(float, re.findall(r"[a-z]([0-9.]+)", place.name))
         if finished(place):
-            found.setdefault((stokes, stickiness), []).append(series(place))
+            run = series(place)
+            found.setdefault((stokes, stickiness), []).append(run[run["time"] <= end])
     for runs in found.values():
         shortest = min(len(run) for run in runs)
         runs[:] = [run[:shortest] for run in runs]
@@ -72,16 +81,16 @@ def row(point, runs, turnover):
     return {**found, "stationary": "yes" if settled else "no"}
 
 
-def table(directory):
+def table(directory, turnovers=math.inf):
     turnover = cases.Base().turnover
-    return [row(point, runs, turnover) for point, runs in runs_of(directory).items()]
+    return [row(point, runs, turnover) for point, runs in runs_of(directory, turnovers).items()]
 
 
 def main():
     with open(sys.argv[2], "w", newline="") as file:
         out = csv.DictWriter(file, COLUMNS)
         out.writeheader()
-        for line in table(pathlib.Path(sys.argv[1])):
+        for line in table(pathlib.Path(sys.argv[1]), *map(float, sys.argv[3:])):
             out.writerow({k: v if isinstance(v, str) else f"{v:.4g}" for k, v in line.items()})
 
 
