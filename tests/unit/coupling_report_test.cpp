@@ -93,9 +93,9 @@ TEST(CouplingReport, NamesSpeedsThatTheLawWasNotMeasuredAt) {
 }
 
 TEST(CouplingReport, NamesStepsInWhichTheFlowPassesTooManyCells) {
-  // 0.3 m/s, 0.75 m/s between the particles, past cells of 5 mm.
-  EXPECT_FALSE(has(remedies(bed("[8, 16, 8]", "subcycles = 300\n")), "cells in a step"));
-  EXPECT_TRUE(has(remedies(bed("[8, 16, 8]", "subcycles = 400\n")), "cells in a step"));
+  // 0.3 m/s, 0.75 m/s between the particles of a bed, past a cell of 5 mm in 6.67 ms.
+  EXPECT_FALSE(has(remedies(bed("[8, 16, 8]", "subcycles = 660\n")), "cells in a step"));
+  EXPECT_TRUE(has(remedies(bed("[8, 16, 8]", "subcycles = 675\n")), "cells in a step"));
   Case c = bed("[8, 16, 8]", "");
   EXPECT_FALSE(has(remedies(c), "cells in a step")) << "of steps that the program has chosen";
   c.fluid.time_step = 0.02;
