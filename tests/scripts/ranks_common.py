@@ -85,6 +85,18 @@ point = [0.03, 0, 0]
 normal = [1, 0, 0]
 """
 
+# Bodies that cross many blocks of the crowd as formulas say, faster than all others.
+STIRRERS = """
+[[particles]]
+name = "pins"
+material = "glass"
+diameter = "6 mm"
+insert = "positions"
+positions = [[0.025, 0.025, 0.066], [0.01, 0.04, 0.066]]
+motion = "prescribed"
+motion_velocity = ["4*cos(150*t)", "40*x", "-1"]
+"""
+
 SHAPES = """
 [simulation]
 end = 0.012

@@ -10,7 +10,7 @@ import unittest
 # Processes share the processors that PoCL makes a device of: each of them is to take one.
 os.environ["POCL_MAX_PTHREAD_COUNT"] = "1"
 
-from ranks_common import CROWD, SHAPES_COME, SPHERES_COME, TURNED, Ranks
+from ranks_common import CROWD, SHAPES_COME, SPHERES_COME, STIRRERS, TURNED, Ranks
 
 # Everything swarms to one corner: blocks are cut anew, and everybody there changes the rank.
 SWARM = """
@@ -184,19 +184,6 @@ orientation = { type = "random" }
 insert = "random"
 count = 40
 velocity = { type = "random", deviation = 0.3 }
-"""
-
-
-# Bodies that cross many blocks as formulas say.
-STIRRERS = """
-[[particles]]
-name = "pins"
-material = "glass"
-diameter = "6 mm"
-insert = "positions"
-positions = [[0.025, 0.025, 0.066], [0.01, 0.04, 0.066]]
-motion = "prescribed"
-motion_velocity = ["4*cos(150*t)", "40*x", "-1"]
 """
 
 

@@ -14,7 +14,7 @@ import h5py
 import numpy
 
 from ranks_common import (CROWD, ENVIRONMENT, HARD_SHAPES, HARD_SPHERES, MPIEXEC, PROGRAM, SHAPES, SHAPES_COME, SPHERES_COME,
-                          TURNED, Ranks)
+                          STIRRERS, TURNED, Ranks)
 
 # A duct with a step, a body in it and a bed behind it, all of which the cuts between ranks go through.
 FLUID = (pathlib.Path(__file__).parent / "ranks_fluid.toml").read_text()
@@ -44,6 +44,9 @@ class OnSeveralRanks(Ranks):
 
     def test_spheres_have_the_same_bits_and_files_on_any_number(self):
         self.same_on_all(CROWD, (2, 3, 4))
+
+    def test_bodies_that_move_as_prescribed_have_the_same_bits_and_files_on_any_number(self):
+        self.same_on_all(CROWD + STIRRERS, (2, 3), most_messages=9)
 
     def test_shapes_have_the_same_bits_and_files_on_any_number(self):
         self.same_on_all(SHAPES, (2, 4))

@@ -242,7 +242,7 @@ double Simulation::way_of_walls() {
 void Simulation::move_prescribed_bodies() {
   if (prescribed_.empty()) return;
   const double fastest = carry(prescribed_, system_.particles, system_.domain, clock_.now(), clock_.dt, staggered());
-  note_travel(lists_, fastest * clock_.dt);
+  note_travel(lists_, ranks_.largest(fastest) * clock_.dt);  // all ranks make their lists in the same step
 }
 
 namespace {
