@@ -256,9 +256,15 @@ TEST(Derived, OpenBoundariesAreTold) {
   Case c = linear_case();
   EXPECT_FALSE(says(check_report(c, derive(c)), "open boundaries"));
   c.walls.clear();
-  EXPECT_TRUE(says(check_report(c, derive(c)), "along x, y, z, without a wall"));
+  EXPECT_TRUE(says(check_report(c, derive(c)), "x_min, x_max, y_min, y_max, z_min, z_max, without wall"));
   c.domain.periodic = {true, false, true};
-  EXPECT_TRUE(says(check_report(c, derive(c)), "along y, without a wall"));
+  EXPECT_TRUE(says(check_report(c, derive(c)), "y_min, y_max, without wall or outlet"));
+  c.outlets.push_back({"drain", "face", "y_min", {}, {}});
+  EXPECT_TRUE(says(check_report(c, derive(c)), " y_max, without wall or outlet"));
+  EXPECT_FALSE(says(check_report(c, derive(c)), "y_min, y_max, without"));
+  c.outlets.push_back({"flue", "face", "y_max", {}, {}});
+  EXPECT_FALSE(says(check_report(c, derive(c)), "open boundaries"));
+  c.outlets.clear();
   c.domain.periodic = {true, true, true};
   EXPECT_FALSE(says(check_report(c, derive(c)), "open boundaries"));
 }

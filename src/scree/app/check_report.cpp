@@ -196,11 +196,15 @@ void say_idle_tables(const Case& c, Lines& lines) {
 void say_boundaries(const Case& c, const Derived& d, Lines& lines) {
   std::string open;
   for (int k = 0; k < 3; ++k)
-    if (!c.domain.periodic[k]) open += fmt::format("{}{}", open.empty() ? "" : ", ", "xyz"[k]);
+    for (const char* end : {"min", "max"}) {
+      const std::string face = fmt::format("{}_{}", "xyz"[k], end);
+      const bool lets_out = std::ranges::any_of(c.outlets, [&](const OutletKeys& o) { return o.face == face; });
+      if (!c.domain.periodic[k] && !lets_out) open += (open.empty() ? "" : ", ") + face;
+    }
   if (c.walls.empty() && !open.empty())
     lines.push_back({"open boundaries",
-                     fmt::format("along {}, without a wall: a particle that leaves stops the run", open), Verdict::none,
-                     ""});
+                     fmt::format("{}, without wall or outlet: a particle that leaves there stops the run", open),
+                     Verdict::none, ""});
   for (const PeriodicJump& jump : d.jumps)
     lines.push_back(
         {jump.key,
