@@ -129,7 +129,7 @@ def draw_courses(options, base):
         count_logarithmically(axes)
     all_axes[0, 0].set_ylabel("part of the spheres in agglomerates")
     all_axes[1, 0].set_ylabel("spheres per agglomerate")
-    all_axes[0, 0].legend(title="stickiness", fontsize=7, title_fontsize=8, loc="upper left", ncols=2)
+    all_axes[0, 0].legend(title="stickiness", fontsize=7, title_fontsize=8, loc="lower right", ncols=2)
     return figure
 
 
