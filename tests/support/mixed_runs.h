@@ -39,15 +39,37 @@ inline Told told_in_mixed(const Case& c, int steps) {
   return told_by(s);
 }
 
+/// A bed that has settled on the CPU goes on in mixed precision and on the CPU again, with its springs.
+inline void expect_to_go_on(const Case& c) {
+  const Archive started = saved_after(c, 8000);
+  Simulation device = in_mixed(c, &started);
+  advance(device, 100);
+  const Archive carried = device.save();
+  Simulation back = on_cpu(c, &carried), truth = on_cpu(c, &started);
+  advance(back, 100);
+  advance(truth, 200);
+  EXPECT_LT(apart(motions(truth), motions(back), place).most, 1e-9);
+  const auto springs = pair_springs(truth.whole()), there = pair_springs(back.whole());
+  ASSERT_EQ(there.size(), springs.size());
+  double most = 0, wrong = 0;
+  for (const auto& [pair, spring] : springs)
+    for (std::size_t k = 0; k < spring.size(); ++k) {
+      most = std::max(most, std::abs(spring[k]));
+      wrong = std::max(wrong, std::abs(spring[k] - there.at(pair)[k]));
+    }
+  EXPECT_GT(most, 1e-4);
+  EXPECT_LT(wrong, 1e-4 * most);
+}
+
 /// How books close.
-struct Books10 {
+struct Closing {
   double energy = 0, momentum = 0, angular = 0;  // relative errors, the largest of ten looks
   Measured last;
 };
 
-inline Books10 books_of(Simulation& s, int steps) {
+inline Closing books_of(Simulation& s, int steps) {
   Books books;
-  Books10 out;
+  Closing out;
   for (int k = 0; k <= 10; ++k) {
     if (k) advance(s, steps / 10);
     out.last = s.measured();
