@@ -38,19 +38,18 @@ __kernel void sc_carry_bodies(const sc_device_step p, const int step, __global i
   const size_t b = get_global_id(0);
   const int i = sc_row_of_body(b, bodies, step, stale, rows);
   if (i < 0) return;
-  const real4 place = motion[2 * i], speed = motion[2 * i + 1];
-  const int4 image = images[i];
   const sc_prescribed q = prescribed[(size_t)step * bodies + b];
-  const sc_carried to = sc_carry(q, sc_first(place), sc_first(speed), p.move.drift);
-  const sc_wrapped x = sc_wrap(to.position.x, p.box.low[0], p.box.high[0], p.box.period[0], image.x);
-  const sc_wrapped y = sc_wrap(to.position.y, p.box.low[1], p.box.high[1], p.box.period[1], image.y);
-  const sc_wrapped z = sc_wrap(to.position.z, p.box.low[2], p.box.high[2], p.box.period[2], image.z);
-  images[i] = (int4)(x.image, y.image, z.image, image.w);
-  motion[2 * i] = (real4)(x.x, y.x, z.x, place.w);
-  motion[2 * i + 1] = (real4)(q.after.x, q.after.y, q.after.z, speed.w);
+  sc_row own;
+  own.place = motion[2 * i];
+  own.speed = motion[2 * i + 1];
+  const sc_carried to = sc_carry(q, sc_first(own.place), sc_first(own.speed), p.move.drift);
+  sc_centre_moved moved;
+  moved.position = to.position;
+  moved.velocity = q.after;
+  sc_found found = sc_nothing_found();
+  sc_store_centre(p, (size_t)i, own, moved, listed[i], images, motion, &found);
   if (SC_SHAPED) momenta[i].w += to.way;
-  const sc_vec way = sc_branch(p.box, listed[i], motion[2 * i]);
-  if (!(sc_dot(way, way) <= p.stale_square)) stale[step + 1] = 1;
+  if (found.stale) stale[step + 1] = 1;
 }
 
 /// Sizes of what the host passes besides where bodies move as prescribed.
