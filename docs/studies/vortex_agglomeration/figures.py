@@ -134,10 +134,10 @@ def draw_courses(options, base):
 
 
 def free_frames(options, stokes):
-    """Frames of the runs without cohesion, the first third of each left out."""
+    """Frames of the runs without cohesion, one a turnover as far as all have come, the first third of each left out."""
     found = []
     for place in sorted(options.runs.glob(f"stokes{stokes:g}_stickiness0_seed*")):
-        frames = sorted((place / "frames").glob("*.h5"))
+        frames = sorted((place / "frames").glob("*.h5"))[:COMMON + 1]
         found += frames[len(frames) // 3:]
     return found
 
